@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/vector2.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace abut
+{
+  /// Names usable in every expression of a file, and their values.
+  using Constants = std::map<std::string, double>;
+
+  /**
+   * A formula in the own-frame coordinates x and y, the constants of the file and pi, as muParser reads it
+   * (`if(x<1, a, b)`, `x^2`, `sin(pi*x)`). Evaluation is safe from several threads.
+   */
+  class Expression
+  {
+  public:
+    /// Throws UserError, beginning with `where`, when the text is not a formula.
+    Expression(const std::string &text, const Constants &constants, const std::string &where);
+
+    /// Throws UserError when the value is not finite.
+    double operator()(const Vector2 &own_point) const;
+    const std::string &text() const { return text_; }
+
+  private:
+    struct Parser;
+    std::string text_;
+    std::string where_;
+    std::shared_ptr<const Parser> parser_;
+  };
+} // namespace abut

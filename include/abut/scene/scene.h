@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/scene/body_description.h>
+#include <abut/scene/contact_description.h>
+#include <abut/scene/decomposition_parameters.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /// Exact solutions a scene may name, with their data (section `Reference`).
+  struct ReferenceParameters
+  {
+    enum class Solution
+    {
+      none,
+      layers_sliding ///< two layers with sliding faces and roller ends, pressed by `Approach`, gap `Gap
+                     ///< curvature` x^2
+    };
+    Solution solution = Solution::none;
+    double approach = 0.;
+    double gap_curvature = 0.;
+
+    static void declare(dealii::ParameterHandler &prm);
+    static ReferenceParameters parse(dealii::ParameterHandler &prm);
+  };
+
+  /// Everything a parameter file says. No numerics.
+  struct Scene
+  {
+    std::string file; ///< name of the parameter file, for messages
+    std::string output_directory;
+    std::vector<BodyDescription> bodies;      ///< in the order of the list `Bodies`
+    std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
+    DecompositionParameters decomposition;
+    ReferenceParameters reference;
+    std::string parameters; ///< all parameters used, as a file that can be run again
+
+    /**
+     * Reads `file`, then the overrides `Section/Sub/Name=value` in their order. Throws UserError with file,
+     * parameter, value received and values allowed; also for what does not fit together (unknown bodies in
+     * pairs, sizes that a shape does not take, triangles of degree 3, ...).
+     */
+    static Scene read(const std::string &file, const std::vector<std::string> &overrides = {});
+
+    /// Prints every parameter with its documentation; bodies and contacts under the names `<name>`.
+    static void print_parameters(std::ostream &out);
+
+    /// Position of a body in `bodies`.
+    std::size_t body_index(const std::string &name) const;
+  };
+} // namespace abut
