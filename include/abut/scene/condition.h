@@ -37,7 +37,9 @@ namespace abut
 
   /**
    * Reads `id: kind: expressions; id: kind: ...`: conditions separated by `;`, split at their first two `:`,
-   * expressions by commas outside parentheses. `where` begins every message. Throws UserError.
+   * expressions by commas outside parentheses. `where` begins every message. Throws UserError: a kind that
+   * does not exist or that a point cannot take, a wrong number of expressions, a resultant that depends on x
+   * or y, the same kind twice on one boundary. Whether the boundary exists is for the mesh to say.
    */
   std::vector<Condition> parse_conditions(const std::string &text, const Constants &constants,
                                           const std::string &where);

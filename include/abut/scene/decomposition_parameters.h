@@ -10,7 +10,7 @@ namespace dealii
 
 namespace abut
 {
-  enum class Scheme
+  enum class SchemeKind
   {
     neumann ///< the parallel Neumann scheme, (20)-(21) of the paper
   };
@@ -38,7 +38,7 @@ namespace abut
   /// What the section `Decomposition` says.
   struct DecompositionParameters
   {
-    Scheme scheme = Scheme::neumann;
+    SchemeKind scheme = SchemeKind::neumann;
     InitialGuess initial_guess = InitialGuess::elastic_layer_response;
     std::optional<double> relaxation; ///< gamma; empty: automatic
     StoppingRule stopping_rule = StoppingRule::bound;

@@ -25,6 +25,8 @@ namespace abut
     /// Throws UserError when the value is not finite.
     double operator()(const Vector2 &own_point) const;
     const std::string &text() const { return text_; }
+    /// Whether neither x nor y occurs in the formula.
+    bool is_constant() const;
 
   private:
     struct Parser;
@@ -32,4 +34,7 @@ namespace abut
     std::string where_;
     std::shared_ptr<const Parser> parser_;
   };
+
+  /// The value of a formula of constants alone. Throws UserError, beginning with `where`, also for x and y.
+  double constant_value(const std::string &text, const Constants &constants, const std::string &where);
 } // namespace abut

@@ -4,6 +4,7 @@
 #include <abut/scene/body_description.h>
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
+#include <abut/scene/reference_parameters.h>
 
 #include <iosfwd>
 #include <string>
@@ -11,23 +12,6 @@
 
 namespace abut
 {
-  /// Exact solutions a scene may name, with their data (section `Reference`).
-  struct ReferenceParameters
-  {
-    enum class Solution
-    {
-      none,
-      layers_sliding ///< two layers with sliding faces and roller ends, pressed by `Approach`, gap `Gap
-                     ///< curvature` x^2
-    };
-    Solution solution = Solution::none;
-    double approach = 0.;
-    double gap_curvature = 0.;
-
-    static void declare(dealii::ParameterHandler &prm);
-    static ReferenceParameters parse(dealii::ParameterHandler &prm);
-  };
-
   /// Everything a parameter file says. No numerics.
   struct Scene
   {
@@ -37,7 +21,8 @@ namespace abut
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
     DecompositionParameters decomposition;
     ReferenceParameters reference;
-    std::string parameters; ///< all parameters used, as a file that can be run again
+    std::string parameters; ///< all parameters used, as a file that can be run again from any folder: mesh
+                            ///< files by their absolute names, the output directory as it was used
 
     /**
      * Reads `file`, then the overrides `Section/Sub/Name=value` in their order. Throws UserError with file,
@@ -49,7 +34,7 @@ namespace abut
     /// Prints every parameter with its documentation; bodies and contacts under the names `<name>`.
     static void print_parameters(std::ostream &out);
 
-    /// Position of a body in `bodies`.
+    /// Position of a body in `bodies`; their number if there is none of this name.
     std::size_t body_index(const std::string &name) const;
   };
 } // namespace abut

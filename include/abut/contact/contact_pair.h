@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/scene/contact_description.h>
+#include <abut/scene/placement.h>
+#include <abut/trace/mortar_coupling.h>
+
+namespace abut
+{
+  /// What a pair needs to know of one of its bodies.
+  struct ContactBody
+  {
+    std::size_t body;        ///< position in the scene
+    std::size_t side;        ///< position among the body's contact sides
+    double flexibility;      ///< H_a / E_a
+    double layer_compliance; ///< k_a of the elastic layer
+  };
+
+  /**
+   * Two sides that may touch: gap, penalty and coupling, all on the slave's multipliers (one per slave node,
+   * see MortarCoupling). With the bodies' trace displacements u the weighted gap of node i is g_i = (gap_i +
+   * (N_s u_s + N_m u_m)_i) / D_i, positive where the bodies are apart; the pressure is p_i = max(0, -g_i) /
+   * theta, and D_i p_i its load. That is the gradient of (1 / 2 theta) sum_i D_i (g_i^-)^2, the discrete
+   * penalty of (15)-(16).
+   */
+  class ContactPair
+  {
+  public:
+    /// Throws UserError where no part of the slave faces the master.
+    ContactPair(const ContactDescription &description, const Placement &slave_placement,
+                const ContactBody &slave, const ContactBody &master, const Trace &slave_trace,
+                const Trace &master_trace);
+
+    const std::string &name() const { return name_; }
+    const ContactBody &slave() const { return slave_; }
+    const ContactBody &master() const { return master_; }
+    const MortarCoupling &coupling() const { return coupling_; }
+    /// theta, length / stress.
+    double penalty() const { return penalty_; }
+    Eigen::Index n_multipliers() const { return coupling_.weights.size(); }
+    bool gap_from_geometry() const { return gap_from_geometry_; }
+    /// Share of the slave side that the master faces.
+    double coverage() const { return coverage_; }
+
+  private:
+    std::string name_;
+    ContactBody slave_, master_;
+    MortarCoupling coupling_;
+    double penalty_;
+    bool gap_from_geometry_;
+    double coverage_;
+  };
+} // namespace abut

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/scheme.h>
+
+namespace abut
+{
+  /**
+   * u^0 from the model of the elastic layer, where every body is a Winkler layer of compliance k_a and
+   * `overlap` is the negative part of the gap under the loads alone.
+   *
+   * `elastic layer`, the paper's, literally: p = overlap/(k_1 + k_2), each body's contact nodes recede by k_a
+   * p. The gap closes exactly, so that the first traction is zero, and u^0 is no field. `elastic layer
+   * response`: the bodies' response to p = overlap/(k_1 + k_2 + theta).
+   */
+  InterfaceState initial_guess(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                               const InterfaceProblem::Loads &loads, InitialGuess kind);
+
+  /// The state whose displacement answers given pressures.
+  InterfaceState respond_to(const InterfaceCompliance &compliance, const InterfaceProblem::Loads &loads,
+                            const Eigen::VectorXd &pressures);
+} // namespace abut

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/contact/contact_pair.h>
+#include <abut/elasticity/trace_body.h>
+
+#include <vector>
+
+namespace abut
+{
+  /**
+   * The contact problem with the bodies eliminated: unknown are the pressures p of all pairs' multipliers,
+   * one vector. A *response* vector collects what the pairs and the stopping rules need of the bodies'
+   * displacements, and nothing else: first the gap integrals D_i g_i of all multipliers, then the normal
+   * displacements u_a . n_a at the nodes of every body's contact sides, body by body. With the response to
+   * loads z_L and the (linear) response Z p to pressures, z = z_L + Z p; the first rows of Z are the
+   * interface compliance C = sum_a N_a A_a^-1 N_a^T.
+   */
+  class InterfaceProblem
+  {
+  public:
+    /// Bodies and pairs must outlive the problem. `bodies` in the scene's order.
+    InterfaceProblem(const std::vector<const TraceBody *> &bodies, const std::vector<ContactPair> &pairs);
+
+    Eigen::Index n_pressures() const { return weights_.size(); }
+    Eigen::Index response_size() const { return response_size_; }
+    /// First multiplier of a pair.
+    Eigen::Index pressure_offset(const std::size_t pair) const { return pressure_offsets_[pair]; }
+    const std::vector<ContactPair> &pairs() const { return *pairs_; }
+    const std::vector<const TraceBody *> &bodies() const { return bodies_; }
+
+    /// D_i, zero for a node without multiplier.
+    const Eigen::VectorXd &weights() const { return weights_; }
+    /// theta of each multiplier's pair.
+    const Eigen::VectorXd &penalties() const { return penalties_; }
+
+    /// The weighted gaps g_i of a response; +infinity for a node without multiplier.
+    Eigen::VectorXd gaps(const Eigen::VectorXd &response) const;
+    /// The contact law p_i = max(0, -g_i) / theta.
+    Eigen::VectorXd pressures(const Eigen::VectorXd &response) const;
+    /// First entry of a body's normal displacements in a response.
+    Eigen::Index normal_displacement_offset(const std::size_t body) const
+    {
+      return displacement_offsets_[body];
+    }
+    /// Normal displacements on the contact sides of a body.
+    Eigen::VectorXd normal_displacements(const Eigen::VectorXd &response, std::size_t body) const;
+
+    /// Consistent nodal forces on a body's contact sides, for pressures in columns.
+    Eigen::MatrixXd contact_forces(std::size_t body, const Eigen::MatrixXd &pressures) const;
+    /// Part of the response that a body's trace displacements (columns) make.
+    Eigen::MatrixXd response_of(std::size_t body, const Eigen::MatrixXd &displacements) const;
+
+    /// The response to the bodies' loads and supports.
+    struct Loads
+    {
+      Eigen::VectorXd response;   ///< z_L, initial gaps included
+      Eigen::VectorXd force_gap;  ///< gap integrals of the displacements that forces alone make
+      double energy_product = 0.; ///< a(u_L, u_L), all bodies
+    };
+    Loads loads(double rigid_displacement) const;
+
+  private:
+    std::vector<const TraceBody *> bodies_;
+    const std::vector<ContactPair> *pairs_;
+    std::vector<Eigen::Index> pressure_offsets_;
+    Eigen::VectorXd weights_, penalties_, initial_gap_;
+    /// Per body: the rows of the response that its trace displacements enter (response_size x trace_size).
+    std::vector<Eigen::SparseMatrix<double, Eigen::RowMajor>> observers_;
+    std::vector<Eigen::Index> displacement_offsets_;
+    Eigen::Index response_size_ = 0;
+  };
+
+  /// Runs f(i) for every body side by side; the first exception is passed on.
+  void for_each_body(std::size_t n_bodies, const std::function<void(std::size_t)> &f);
+} // namespace abut

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/scheme.h>
+
+namespace abut
+{
+  /**
+   * The parallel Neumann scheme, (20)-(21) of the paper: p^k from the contact law of u^k, every body solves
+   * with it (u~), u^{k+1} = gamma u~ + (1 - gamma) u^k.
+   *
+   * Iteration error, guaranteed: ||u^k - u_theta||_A <= ||u~ - u^k||_A, since the functional's derivative is
+   * a(.,.) plus a monotone term. For displacements that answer pressures q^k it is (p^k - q^k) . C (p^k -
+   * q^k), which the interface knows. With gamma <= gamma* this bound never grows; a bound that has not fallen
+   * over 1/gamma steps ends the run.
+   */
+  class NeumannScheme : public Scheme
+  {
+  public:
+    NeumannScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                  const DecompositionParameters &parameters);
+
+    SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
+                       const StepObserver &observer) const override;
+
+  private:
+    const InterfaceProblem &problem_;
+    const InterfaceCompliance &compliance_;
+    DecompositionParameters parameters_;
+    double relaxation_;
+  };
+
+  /// gamma = 2 / (1 + lambda_max): equal damping of the slowest and the fastest error.
+  double automatic_relaxation(double largest_eigenvalue);
+
+  /// Steps that the slowest error, shrinking by 1 - gamma, needs to fall to `tolerance`.
+  double expected_steps(double relaxation, double tolerance);
+} // namespace abut

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/compliance.h>
+#include <abut/scene/decomposition_parameters.h>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace abut
+{
+  /// One state of the interface: u^k as far as the pairs see it.
+  struct InterfaceState
+  {
+    /// Pressures whose response, with that to the loads, is the displacement u^k. Empty where u^k is no
+    /// field: the paper's literal initial guess gives displacements on the contact nodes alone.
+    std::optional<Eigen::VectorXd> traction;
+    Eigen::VectorXd response; ///< see InterfaceProblem
+  };
+
+  /// What a step tells of itself.
+  struct StepRecord
+  {
+    unsigned int step = 0; ///< from 1
+    double increment = 0.; ///< largest relative change of the contact displacement of a body, discrete norm
+    double bound = std::numeric_limits<double>::quiet_NaN(); ///< see SchemeResult::iteration_error, for the
+                                                             ///< state the step began with
+    double normal_force = 0.;                                ///< sum of D_i p_i of that state
+    double max_pressure = 0.;
+  };
+
+  using StepObserver = std::function<void(const StepRecord &)>;
+
+  enum class StoppedBy
+  {
+    bound,
+    increment,
+    maximum_steps,
+    stalled
+  };
+
+  struct SchemeResult
+  {
+    /// Pressures in equilibrium with the displacement that is reported.
+    Eigen::VectorXd traction;
+    /// Response of that displacement.
+    Eigen::VectorXd response;
+    unsigned int steps = 0;
+    StoppedBy stopped_by = StoppedBy::maximum_steps;
+    /// ||u - u_theta||_A / ||u||_A is at most this (energy norm, same mesh); NaN where there is no bound.
+    double iteration_error = std::numeric_limits<double>::quiet_NaN();
+    double increment = 0.;
+    double relaxation = 0.; ///< gamma
+    /// One sentence with cause and way out; empty when converged.
+    std::string message;
+
+    bool converged() const { return message.empty(); }
+  };
+
+  /// Solves the interface problem: given the traction, every body solves its own linear problem,
+  /// independently.
+  class Scheme
+  {
+  public:
+    virtual ~Scheme() = default;
+    virtual SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
+                               const StepObserver &observer) const = 0;
+  };
+} // namespace abut

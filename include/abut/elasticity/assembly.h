@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/elasticity/space.h>
+
+#include <Eigen/SparseCore>
+
+namespace abut
+{
+  /// a(u, v) of (11), without any boundary condition: symmetric, with the rigid modes in its kernel.
+  Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const Material &material);
+
+  /// Adds the body force of the description to a load vector.
+  void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load);
+
+  /// The traction (world frame) that a condition prescribes at a point of a side with outward unit normal n.
+  Vector2 prescribed_traction(const Condition &condition, const Placement &placement, const Vector2 &point,
+                              const Vector2 &normal);
+
+  /// Adds int t . v over a side, (12), for a condition of kind traction or pressure.
+  void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
+                    Eigen::VectorXd &load);
+} // namespace abut

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/elasticity/prescribed.h>
+#include <abut/elasticity/sparse_cholesky.h>
+#include <abut/elasticity/trace_body.h>
+
+#include <memory>
+#include <optional>
+
+namespace abut
+{
+  /// How often the expensive things were done.
+  struct BodyCounters
+  {
+    unsigned int meshes = 0;
+    unsigned int assemblies = 0;
+    unsigned int factorisations = 0;
+    unsigned int solves = 0; ///< right sides
+  };
+
+  /// Forces of the supports on the body, and how well the body is in balance.
+  struct Reactions
+  {
+    std::map<std::string, Vector2> by_boundary;
+    Vector2 applied = Vector2::Zero(); ///< resultant of tractions and body force
+    Vector2 contact = Vector2::Zero(); ///< resultant of the contact forces
+    double equilibrium_residual = 0.;  ///< |sum of all forces| / sum of their sizes
+  };
+
+  /**
+   * An elastic body by finite elements: mesh, space, supports, stiffness and its Cholesky factor, made once
+   * and used in every step. Construction reads and checks everything (UserError); nothing is assembled before
+   * `prepare`.
+   */
+  class Body : public TraceBody
+  {
+  public:
+    /// `contact_sides`: boundaries by name, in the order of the trace vector.
+    Body(const BodyDescription &description, const std::vector<std::string> &contact_sides);
+    ~Body() override;
+
+    const std::string &name() const override { return description_.name; }
+    const std::vector<Trace> &contact_sides() const override { return contact_sides_; }
+    Eigen::MatrixXd respond(const Eigen::MatrixXd &forces) const override;
+    LoadResponse respond_to_loads(double rigid_displacement) const override;
+
+    const BodyDescription &description() const { return description_; }
+    const Space &space() const { return *space_; }
+    Material material() const { return {description_.young_modulus, description_.poisson_ratio}; }
+    const Supports &supports() const { return supports_; }
+    const std::optional<Resultant> &resultant() const { return resultant_; }
+    const std::vector<std::string> &free_rigid_motions() const { return free_rigid_motions_; }
+    const BodyCounters &counters() const { return counters_; }
+    /// H_a of the penalty and of the elastic layer for a contact side (world length).
+    double contact_depth(std::size_t side) const;
+
+    /// Assembles and factorises; seconds of both. Throws ComputationError.
+    struct PreparationTimes
+    {
+      double assemble = 0., factorise = 0.;
+    };
+    PreparationTimes prepare();
+
+    /// The displacement of all nodes under loads, supports and contact forces.
+    Eigen::VectorXd displacement(const Eigen::VectorXd &contact_forces, double rigid_displacement) const;
+    /// Forces of the supports, from the assembled stiffness.
+    Reactions reactions(const Eigen::VectorXd &displacement, const Eigen::VectorXd &contact_forces) const;
+    /// Force of the rigid side on the body, along the direction of its resultant.
+    double rigid_side_force(const Eigen::VectorXd &displacement, const Eigen::VectorXd &contact_forces) const;
+    /// Strain energy u . K u / 2.
+    double strain_energy(const Eigen::VectorXd &displacement) const;
+
+  private:
+    void collect_sides();
+    Eigen::VectorXd prescribed(double rigid_displacement) const;
+    Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;
+
+    BodyDescription description_;
+    std::unique_ptr<Space> space_;
+    Sides sides_;
+    std::vector<std::string> contact_side_names_;
+    std::vector<Trace> contact_sides_;
+    std::optional<Resultant> resultant_;
+    Supports supports_;
+    std::vector<std::string> free_rigid_motions_;
+
+    Eigen::SparseMatrix<double> trace_to_dofs_; // n_dofs x trace_size
+    Eigen::SparseMatrix<double> trace_to_free_; // the same, reduced to the free directions
+    Eigen::SparseMatrix<double> stiffness_;
+    Eigen::VectorXd load_; // tractions and body force
+    std::unique_ptr<SparseCholesky> cholesky_;
+    mutable BodyCounters counters_;
+  };
+} // namespace abut

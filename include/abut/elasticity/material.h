@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace abut
+{
+  /// Stress of plane strain, tension positive; zz = nu (xx + yy).
+  struct Stress
+  {
+    double xx = 0., yy = 0., xy = 0., zz = 0.;
+
+    /// Huber-Mises equivalent stress, all four components.
+    double von_mises() const
+    {
+      return std::sqrt(.5 * ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) +
+                       3. * xy * xy);
+    }
+  };
+
+  /// Isotropic linear elasticity in plane strain, (1)-(2) of the paper.
+  struct Material
+  {
+    double young_modulus;
+    double poisson_ratio;
+
+    double lambda() const
+    {
+      return young_modulus * poisson_ratio / ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
+    }
+    double mu() const { return young_modulus / (2. * (1. + poisson_ratio)); }
+
+    /// sigma = lambda tr(eps) I + 2 mu eps, from grad u (row: component, column: derivative).
+    Stress stress(const Eigen::Matrix2d &gradient) const
+    {
+      const double pressure_part = lambda() * gradient.trace();
+      return {pressure_part + 2. * mu() * gradient(0, 0), pressure_part + 2. * mu() * gradient(1, 1),
+              mu() * (gradient(0, 1) + gradient(1, 0)), pressure_part};
+    }
+  };
+} // namespace abut

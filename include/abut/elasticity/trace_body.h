@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/trace/trace.h>
+
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /// What a body does under its own loads and supports, without contact.
+  struct LoadResponse
+  {
+    Eigen::VectorXd displacement;       ///< on the contact sides
+    Eigen::VectorXd force_displacement; ///< on the contact sides, of forces alone with every support at rest
+    double energy_product = 0.;         ///< a(u, u) of the whole displacement: twice its strain energy
+  };
+
+  /**
+   * A body as contact/ and decomposition/ see it: something that turns forces on its contact sides into
+   * displacements of its contact sides. All contact sides of the body follow one another in one trace vector.
+   */
+  class TraceBody
+  {
+  public:
+    virtual ~TraceBody() = default;
+
+    virtual const std::string &name() const = 0;
+    /// The contact sides in the order in which they were asked for.
+    virtual const std::vector<Trace> &contact_sides() const = 0;
+
+    /// Displacements (trace vectors, a column each) under consistent nodal forces on the contact sides,
+    /// supports at rest.
+    virtual Eigen::MatrixXd respond(const Eigen::MatrixXd &forces) const = 0;
+
+    /// The response to the body's own loads and supports, where the rigid side with a given resultant (if the
+    /// body has one) moves by `rigid_displacement`.
+    virtual LoadResponse respond_to_loads(double rigid_displacement) const = 0;
+
+    /// Position of a contact side's first component in a trace vector.
+    Eigen::Index trace_offset(std::size_t side) const;
+    /// Number of components of a trace vector.
+    Eigen::Index trace_size() const { return trace_offset(contact_sides().size()); }
+  };
+} // namespace abut

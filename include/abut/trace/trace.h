@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/trace/lagrange_basis.h>
+#include <abut/vector2.h>
+
+#include <array>
+#include <vector>
+
+namespace abut
+{
+  /// One boundary edge of a mesh, run through with the body on the left (counter-clockwise around it), s in
+  /// [0, 1].
+  struct Segment
+  {
+    std::vector<Vector2> points;     ///< at the Gauss-Lobatto nodes of the geometry's degree
+    std::vector<unsigned int> nodes; ///< trace nodes that carry displacements, in the order of s
+    double arc_start = 0.;           ///< arc length of s = 0 from the start of the curve
+    double length = 0.;
+    std::array<Vector2, 2> end_normals; ///< averaged outward unit normals at s = 0 and s = 1
+  };
+
+  /**
+   * One side of a body as a curve: the piece of a mesh's boundary that the other floors see. It carries the
+   * trace of the finite-element space, nodes with two displacement components each; a vector on the trace has
+   * the components 2 node and 2 node + 1. In two dimensions hanging nodes never lie on the boundary, so that
+   * no node is constrained by others here.
+   *
+   * The geometry may be of higher degree than the space: the gap between curved bodies is that of the curves,
+   * not of the chords.
+   */
+  class Trace
+  {
+  public:
+    /**
+     * The segments must be in order (each begins where the one before ends, except at the start of a new
+     * curve); their lengths, arc positions and normals are computed here. `node_dofs` are the body's unknowns
+     * of each node. Normals are averaged at vertices where the side turns by less than 45 degrees.
+     */
+    Trace(unsigned int degree, unsigned int geometry_degree, std::vector<Segment> segments,
+          std::vector<std::array<unsigned int, 2>> node_dofs);
+
+    const std::vector<Segment> &segments() const { return segments_; }
+    const LagrangeBasis &basis() const { return basis_; }
+    std::size_t n_nodes() const { return node_dofs_.size(); }
+    const std::vector<std::array<unsigned int, 2>> &node_dofs() const { return node_dofs_; }
+
+    const std::vector<Vector2> &node_points() const { return node_points_; }
+    /// Averaged outward unit normals.
+    const std::vector<Vector2> &node_normals() const { return node_normals_; }
+    const std::vector<double> &node_arc_lengths() const { return node_arc_lengths_; }
+    double length() const { return length_; }
+
+    Vector2 point(const Segment &segment, double s) const;
+    /// d point / ds; its length is the Jacobian of arc length.
+    Vector2 tangent(const Segment &segment, double s) const;
+    /// The averaged outward unit normal: interpolated between those of the segment's ends.
+    static Vector2 averaged_normal(const Segment &segment, double s);
+
+  private:
+    void measure();
+    void average_normals();
+    void place_nodes();
+
+    LagrangeBasis basis_;
+    LagrangeBasis geometry_;
+    std::vector<Segment> segments_;
+    std::vector<std::array<unsigned int, 2>> node_dofs_;
+    std::vector<Vector2> node_points_;
+    std::vector<Vector2> node_normals_;
+    std::vector<double> node_arc_lengths_;
+    double length_ = 0.;
+  };
+} // namespace abut

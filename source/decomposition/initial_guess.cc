@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/initial_guess.h>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    double layers_compliance(const ContactPair &pair)
+    {
+      return pair.slave().layer_compliance + pair.master().layer_compliance;
+    }
+
+    /// overlap_i / (k_1 + k_2 + extra), with `extra` = theta or nothing.
+    Eigen::VectorXd layer_pressures(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
+                                    const bool with_penalty)
+    {
+      Eigen::VectorXd result = (-problem.gaps(loads.response).array()).max(0.);
+      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
+      {
+        const ContactPair &pair = problem.pairs()[i];
+        result.segment(problem.pressure_offset(i), pair.n_multipliers()) /=
+            layers_compliance(pair) + (with_penalty ? pair.penalty() : 0.);
+      }
+      return result;
+    }
+
+    /**
+     * A rigid-plastic picture of each layer: at its contact nodes body a moves by -k_a p along its outward
+     * normal. The master's nodes take the pressure of the multipliers opposite them, averaged with the
+     * coupling's own weights.
+     */
+    Eigen::VectorXd layer_response(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads)
+    {
+      const Eigen::VectorXd pressures = layer_pressures(problem, loads, false);
+      Eigen::VectorXd response = loads.response;
+      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
+      {
+        const ContactPair &pair = problem.pairs()[i];
+        const Index offset = problem.pressure_offset(i), n = pair.n_multipliers();
+        const Eigen::VectorXd p = pressures.segment(offset, n);
+        response.segment(offset, n).array() +=
+            layers_compliance(pair) * p.array() * problem.weights().segment(offset, n).array();
+        for (const ContactBody *side : {&pair.slave(), &pair.master()})
+        {
+          const TraceBody &body = *problem.bodies()[side->body];
+          const auto &coupling = side == &pair.slave() ? pair.coupling().slave : pair.coupling().master;
+          const Trace &trace = body.contact_sides()[side->side];
+          const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
+          const Eigen::VectorXd force = coupling.transpose() * p, measure = coupling.transpose() * ones;
+          const Index first =
+              problem.normal_displacement_offset(side->body) + body.trace_offset(side->side) / 2;
+          for (std::size_t node = 0; node < trace.n_nodes(); ++node)
+          {
+            const auto k = static_cast<Index>(2 * node);
+            const double size = measure.segment(k, 2).norm();
+            if (size > 0.)
+              response[first + static_cast<Index>(node)] -=
+                  side->layer_compliance * force.segment(k, 2).norm() / size;
+          }
+        }
+      }
+      return response;
+    }
+  } // namespace
+
+  InterfaceState respond_to(const InterfaceCompliance &compliance, const InterfaceProblem::Loads &loads,
+                            const Eigen::VectorXd &pressures)
+  {
+    return {pressures, loads.response + compliance.apply(pressures)};
+  }
+
+  InterfaceState initial_guess(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                               const InterfaceProblem::Loads &loads, const InitialGuess kind)
+  {
+    if (kind == InitialGuess::elastic_layer)
+      return {std::nullopt, layer_response(problem, loads)};
+    return respond_to(compliance, loads, layer_pressures(problem, loads, true));
+  }
+} // namespace abut

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/interface_problem.h>
+
+#include <limits>
+#include <tbb/parallel_for.h>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+    using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using Triplets = std::vector<Eigen::Triplet<double>>;
+
+    void add_block(const RowMatrix &block, const Index row, const Index column, Triplets &triplets)
+    {
+      for (Index i = 0; i < block.outerSize(); ++i)
+        for (RowMatrix::InnerIterator entry(block, i); entry; ++entry)
+          triplets.emplace_back(static_cast<int>(row + entry.row()), static_cast<int>(column + entry.col()),
+                                entry.value());
+    }
+
+    /// Rows u . n for every node of the body's contact sides.
+    void add_normal_displacements(const TraceBody &body, Index row, Triplets &triplets)
+    {
+      int column = 0;
+      for (const Trace &side : body.contact_sides())
+        for (const Vector2 &normal : side.node_normals())
+        {
+          triplets.emplace_back(static_cast<int>(row), column++, normal.x());
+          triplets.emplace_back(static_cast<int>(row++), column++, normal.y());
+        }
+    }
+  } // namespace
+
+  void for_each_body(const std::size_t n_bodies, const std::function<void(std::size_t)> &f)
+  {
+    tbb::parallel_for(std::size_t(0), n_bodies, f);
+  }
+
+  InterfaceProblem::InterfaceProblem(const std::vector<const TraceBody *> &bodies,
+                                     const std::vector<ContactPair> &pairs)
+      : bodies_(bodies), pairs_(&pairs)
+  {
+    Index n = 0;
+    for (const ContactPair &pair : pairs)
+    {
+      pressure_offsets_.push_back(n);
+      n += pair.n_multipliers();
+    }
+    weights_.resize(n);
+    penalties_.resize(n);
+    initial_gap_.resize(n);
+    std::vector<Triplets> triplets(bodies.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      const ContactPair &pair = pairs[i];
+      const Index offset = pressure_offsets_[i], size = pair.n_multipliers();
+      weights_.segment(offset, size) = pair.coupling().weights;
+      initial_gap_.segment(offset, size) = pair.coupling().gap;
+      penalties_.segment(offset, size).setConstant(pair.penalty());
+      const auto add = [&](const ContactBody &side, const RowMatrix &block) {
+        add_block(block, offset, bodies[side.body]->trace_offset(side.side), triplets[side.body]);
+      };
+      add(pair.slave(), pair.coupling().slave);
+      add(pair.master(), pair.coupling().master);
+    }
+    response_size_ = n;
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+    {
+      displacement_offsets_.push_back(response_size_);
+      add_normal_displacements(*bodies[a], response_size_, triplets[a]);
+      response_size_ += bodies[a]->trace_size() / 2;
+    }
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+    {
+      observers_.emplace_back(response_size_, bodies[a]->trace_size());
+      observers_.back().setFromTriplets(triplets[a].begin(), triplets[a].end());
+    }
+  }
+
+  Eigen::VectorXd InterfaceProblem::gaps(const Eigen::VectorXd &response) const
+  {
+    const auto infinity = Eigen::ArrayXd::Constant(n_pressures(), std::numeric_limits<double>::infinity());
+    return (weights_.array() > 0.)
+        .select(response.head(n_pressures()).array() /
+                    weights_.array().max(std::numeric_limits<double>::min()),
+                infinity);
+  }
+
+  Eigen::VectorXd InterfaceProblem::pressures(const Eigen::VectorXd &response) const
+  {
+    return (-gaps(response).array()).max(0.) / penalties_.array();
+  }
+
+  Eigen::VectorXd InterfaceProblem::normal_displacements(const Eigen::VectorXd &response,
+                                                         const std::size_t body) const
+  {
+    return response.segment(displacement_offsets_[body], bodies_[body]->trace_size() / 2);
+  }
+
+  Eigen::MatrixXd InterfaceProblem::contact_forces(const std::size_t body,
+                                                   const Eigen::MatrixXd &pressures) const
+  {
+    return observers_[body].topRows(n_pressures()).transpose() * pressures;
+  }
+
+  Eigen::MatrixXd InterfaceProblem::response_of(const std::size_t body,
+                                                const Eigen::MatrixXd &displacements) const
+  {
+    return observers_[body] * displacements;
+  }
+
+  InterfaceProblem::Loads InterfaceProblem::loads(const double rigid_displacement) const
+  {
+    std::vector<LoadResponse> responses(bodies_.size());
+    for_each_body(bodies_.size(), [&](const std::size_t a) {
+      responses[a] = bodies_[a]->respond_to_loads(rigid_displacement);
+    });
+    Loads loads;
+    loads.response = Eigen::VectorXd::Zero(response_size_);
+    loads.response.head(n_pressures()) = initial_gap_;
+    loads.force_gap = Eigen::VectorXd::Zero(n_pressures());
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+    {
+      loads.response += response_of(a, responses[a].displacement);
+      loads.force_gap += response_of(a, responses[a].force_displacement).topRows(n_pressures());
+      loads.energy_product += responses[a].energy_product;
+    }
+    return loads;
+  }
+} // namespace abut

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/elasticity/assembly.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    Eigen::SparseMatrix<double> zero_matrix(const dealii::DoFHandler<2> &dof_handler)
+    {
+      dealii::DynamicSparsityPattern pattern(dof_handler.n_dofs(), dof_handler.n_dofs());
+      dealii::DoFTools::make_sparsity_pattern(dof_handler, pattern);
+      const auto n = static_cast<Index>(dof_handler.n_dofs());
+      Eigen::SparseMatrix<double> matrix(n, n);
+      matrix.resizeNonZeros(static_cast<Index>(pattern.n_nonzero_elements()));
+      Index position = 0;
+      for (Index i = 0; i < n; ++i)
+      {
+        matrix.outerIndexPtr()[i] = static_cast<int>(position);
+        const auto row = static_cast<dealii::types::global_dof_index>(i);
+        for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
+          matrix.innerIndexPtr()[position++] = static_cast<int>(entry->column());
+      }
+      matrix.outerIndexPtr()[n] = static_cast<int>(position);
+      matrix.coeffs().setZero();
+      return matrix;
+    }
+
+    dealii::FullMatrix<double> cell_stiffness(const dealii::FEValues<2> &values, const Material &material)
+    {
+      const auto &fe = values.get_fe();
+      const double lambda = material.lambda(), mu = material.mu();
+      dealii::FullMatrix<double> matrix(fe.n_dofs_per_cell());
+      for (const unsigned int q : values.quadrature_point_indices())
+        for (const unsigned int i : values.dof_indices())
+        {
+          const auto grad_i = values.shape_grad(i, q);
+          const unsigned int ci = fe.system_to_component_index(i).first;
+          for (unsigned int j = 0; j <= i; ++j)
+          {
+            const auto grad_j = values.shape_grad(j, q);
+            const unsigned int cj = fe.system_to_component_index(j).first;
+            matrix(i, j) += (lambda * grad_i[ci] * grad_j[cj] + mu * grad_i[cj] * grad_j[ci] +
+                             (ci == cj ? mu * (grad_i * grad_j) : 0.)) *
+                            values.JxW(q);
+          }
+        }
+      return matrix; // lower triangle
+    }
+  } // namespace
+
+  Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const Material &material)
+  {
+    Eigen::SparseMatrix<double> stiffness = zero_matrix(space.dof_handler());
+    const auto &fe = space.dof_handler().get_fe();
+    dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
+                               dealii::update_gradients | dealii::update_JxW_values);
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      values.reinit(cell);
+      cell->get_dof_indices(dofs);
+      const dealii::FullMatrix<double> matrix = cell_stiffness(values, material);
+      for (const unsigned int i : values.dof_indices())
+        for (const unsigned int j : values.dof_indices())
+          stiffness.coeffRef(static_cast<Index>(dofs[i]), static_cast<Index>(dofs[j])) +=
+              i >= j ? matrix(i, j) : matrix(j, i);
+    }
+    return stiffness;
+  }
+
+  void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load)
+  {
+    if (body.body_force.empty())
+      return;
+    const auto &fe = space.dof_handler().get_fe();
+    dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
+                               dealii::update_values | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      values.reinit(cell);
+      cell->get_dof_indices(dofs);
+      for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const auto p = values.quadrature_point(q);
+        const Vector2 own = body.placement.point_to_own(Vector2(p[0], p[1]));
+        const Vector2 force =
+            body.placement.direction_to_world(Vector2(body.body_force[0](own), body.body_force[1](own)));
+        for (const unsigned int i : values.dof_indices())
+          load[static_cast<Index>(dofs[i])] +=
+              force[fe.system_to_component_index(i).first] * values.shape_value(i, q) * values.JxW(q);
+      }
+    }
+  }
+
+  Vector2 prescribed_traction(const Condition &condition, const Placement &placement, const Vector2 &point,
+                              const Vector2 &normal)
+  {
+    const Vector2 own = placement.point_to_own(point);
+    if (condition.kind == ConditionKind::pressure)
+      return -condition.expressions[0](own) * normal;
+    return placement.direction_to_world(
+        Vector2(condition.expressions[0](own), condition.expressions[1](own)));
+  }
+
+  void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
+                    Eigen::VectorXd &load)
+  {
+    const GaussRule rule(side.basis().degree() + 3);
+    for (const Segment &segment : side.segments())
+      for (Index q = 0; q < rule.points.size(); ++q)
+      {
+        const double s = rule.points[q];
+        const Vector2 tangent = side.tangent(segment, s);
+        const Vector2 normal = Vector2(tangent.y(), -tangent.x()).normalized();
+        const Vector2 force = rule.weights[q] * tangent.norm() *
+                              prescribed_traction(condition, placement, side.point(segment, s), normal);
+        const Eigen::VectorXd values = side.basis().values(s);
+        for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+          for (unsigned int component = 0; component < 2; ++component)
+            load[side.node_dofs()[segment.nodes[i]][component]] +=
+                values[static_cast<Index>(i)] * force[component];
+      }
+  }
+} // namespace abut

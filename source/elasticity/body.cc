@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/elasticity/assembly.h>
+#include <abut/elasticity/body.h>
+#include <abut/user_error.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <chrono>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+    using Clock = std::chrono::steady_clock;
+
+    double seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    /// Places trace vectors into vectors of all unknowns.
+    Eigen::SparseMatrix<double> trace_embedding(const TraceBody &body, const Index n_dofs)
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (std::size_t side = 0; side < body.contact_sides().size(); ++side)
+      {
+        const auto &dofs = body.contact_sides()[side].node_dofs();
+        for (std::size_t node = 0; node < dofs.size(); ++node)
+          for (int component = 0; component < 2; ++component)
+            entries.emplace_back(
+                static_cast<int>(dofs[node][static_cast<std::size_t>(component)]),
+                static_cast<int>(body.trace_offset(side) + 2 * static_cast<Index>(node)) + component, 1.);
+      }
+      Eigen::SparseMatrix<double> embedding(n_dofs, body.trace_size());
+      embedding.setFromTriplets(entries.begin(), entries.end());
+      return embedding;
+    }
+
+    Vector2 total(const Eigen::VectorXd &forces, const Nodes &nodes, double &size)
+    {
+      Vector2 sum = Vector2::Zero();
+      for (const auto &dofs : nodes.dofs)
+      {
+        const Vector2 force(forces[dofs[0]], forces[dofs[1]]);
+        sum += force;
+        size += force.norm();
+      }
+      return sum;
+    }
+
+    Vector2 centre_of(const Nodes &nodes)
+    {
+      Vector2 sum = Vector2::Zero();
+      for (const Vector2 &place : nodes.places)
+        sum += place;
+      return sum / static_cast<double>(nodes.places.size());
+    }
+
+    double extent_of(const Nodes &nodes, const Vector2 &centre)
+    {
+      double extent = 0.;
+      for (const Vector2 &place : nodes.places)
+        extent = std::max(extent, (place - centre).norm());
+      return extent;
+    }
+  } // namespace
+
+  Index TraceBody::trace_offset(const std::size_t side) const
+  {
+    std::size_t n_nodes = 0;
+    for (std::size_t i = 0; i < side; ++i)
+      n_nodes += contact_sides()[i].n_nodes();
+    return static_cast<Index>(2 * n_nodes);
+  }
+
+  Body::Body(const BodyDescription &description, const std::vector<std::string> &contact_sides)
+      : description_(description),
+        space_(std::make_unique<Space>(make_mesh(description), description.degree)),
+        contact_side_names_(contact_sides)
+  {
+    ++counters_.meshes;
+    collect_sides();
+    resultant_ = find_resultant(description_, sides_);
+    const std::vector<PrescribedComponent> components = prescribed_components(description_, sides_, *space_);
+    const Nodes nodes = all_nodes(*space_);
+    const Vector2 centre = centre_of(nodes);
+    free_rigid_motions_ = abut::free_rigid_motions(components, centre, extent_of(nodes, centre));
+    supports_ = make_supports(name(), nodes.dofs, components);
+    trace_to_dofs_ = trace_embedding(*this, space_->n_dofs());
+    trace_to_free_ = supports_.free_directions.transpose() * trace_to_dofs_;
+  }
+
+  Body::~Body() = default;
+
+  void Body::collect_sides()
+  {
+    const auto side = [&](const std::string &boundary) -> const Trace & {
+      const auto id = boundary_id(space_->mesh(), boundary);
+      return sides_.try_emplace(boundary, space_->trace(id)).first->second;
+    };
+    for (const Condition &condition : description_.conditions)
+      if (!condition.point)
+        side(condition.boundary);
+    for (const std::string &boundary : contact_side_names_)
+      contact_sides_.push_back(side(boundary));
+  }
+
+  double Body::contact_depth(const std::size_t side) const
+  {
+    return abut::contact_depth(description_, space_->mesh(),
+                               boundary_id(space_->mesh(), contact_side_names_[side]));
+  }
+
+  Body::PreparationTimes Body::prepare()
+  {
+    PreparationTimes times;
+    auto start = Clock::now();
+    stiffness_ = assemble_stiffness(*space_, material());
+    load_ = Eigen::VectorXd::Zero(space_->n_dofs());
+    add_body_force(*space_, description_, load_);
+    for (const Condition &condition : description_.conditions)
+      if (condition.kind == ConditionKind::traction || condition.kind == ConditionKind::pressure)
+        add_traction(sides_.at(condition.boundary), condition, description_.placement, load_);
+    ++counters_.assemblies;
+    times.assemble = seconds_since(start);
+
+    start = Clock::now();
+    const auto &t = supports_.free_directions;
+    cholesky_ = std::make_unique<SparseCholesky>(t.transpose() * stiffness_ * t, "Body " + name());
+    ++counters_.factorisations;
+    times.factorise = seconds_since(start);
+    return times;
+  }
+
+  Eigen::MatrixXd Body::solve(const Eigen::MatrixXd &reduced_loads) const
+  {
+    counters_.solves += static_cast<unsigned int>(reduced_loads.cols());
+    Eigen::MatrixXd solution = cholesky_->solve(reduced_loads);
+    if (!solution.allFinite())
+      throw ComputationError("Body " + name() +
+                             ": the solution is not finite; the loads or the stiffness are too large for the "
+                             "machine, change the units");
+    return solution;
+  }
+
+  Eigen::VectorXd Body::prescribed(const double rigid_displacement) const
+  {
+    return supports_.fixed + rigid_displacement * supports_.moving;
+  }
+
+  Eigen::MatrixXd Body::respond(const Eigen::MatrixXd &forces) const
+  {
+    return trace_to_free_.transpose() * solve(trace_to_free_ * forces);
+  }
+
+  LoadResponse Body::respond_to_loads(const double rigid_displacement) const
+  {
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(trace_size());
+    const Eigen::VectorXd u = displacement(zero, rigid_displacement);
+    LoadResponse response;
+    response.displacement = trace_to_dofs_.transpose() * u;
+    response.energy_product = 2. * strain_energy(u);
+    if (load_.isZero(0.))
+      response.force_displacement = zero;
+    else
+      response.force_displacement =
+          trace_to_free_.transpose() * solve(supports_.free_directions.transpose() * load_);
+    return response;
+  }
+
+  Eigen::VectorXd Body::displacement(const Eigen::VectorXd &contact_forces,
+                                     const double rigid_displacement) const
+  {
+    const auto &t = supports_.free_directions;
+    const Eigen::VectorXd moved = prescribed(rigid_displacement);
+    return t * solve(t.transpose() * (load_ + trace_to_dofs_ * contact_forces - stiffness_ * moved)) + moved;
+  }
+
+  Reactions Body::reactions(const Eigen::VectorXd &displacement, const Eigen::VectorXd &contact_forces) const
+  {
+    const Eigen::VectorXd contact = trace_to_dofs_ * contact_forces;
+    const Eigen::VectorXd support = stiffness_ * displacement - load_ - contact;
+    const Nodes nodes = all_nodes(*space_);
+    Reactions result;
+    double size = 0.;
+    result.applied = total(load_, nodes, size);
+    result.contact = total(contact, nodes, size);
+    Vector2 sum = result.applied + result.contact;
+    for (const SupportNode &node : supports_.nodes)
+    {
+      // The force at a node is a combination of the supported directions; each belongs to its boundary.
+      const Vector2 force(support[node.dofs[0]], support[node.dofs[1]]);
+      Vector2 shares;
+      if (node.directions.size() == 1)
+        shares = Vector2(force.dot(node.directions[0]), 0.);
+      else
+      {
+        Eigen::Matrix2d directions;
+        directions << node.directions[0], node.directions[1];
+        shares = directions.inverse() * force;
+      }
+      for (std::size_t i = 0; i < node.directions.size(); ++i)
+      {
+        const Vector2 share = shares[static_cast<Index>(i)] * node.directions[i];
+        result.by_boundary.try_emplace(node.boundaries[i], Vector2::Zero()).first->second += share;
+        sum += share;
+        size += share.norm();
+      }
+    }
+    result.equilibrium_residual = size > 0. ? sum.norm() / size : 0.;
+    return result;
+  }
+
+  double Body::rigid_side_force(const Eigen::VectorXd &displacement,
+                                const Eigen::VectorXd &contact_forces) const
+  {
+    return supports_.moving.dot(stiffness_ * displacement - load_ - trace_to_dofs_ * contact_forces);
+  }
+
+  double Body::strain_energy(const Eigen::VectorXd &displacement) const
+  {
+    return .5 * displacement.dot(stiffness_ * displacement);
+  }
+} // namespace abut

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/mesh/body_mesh.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace abut
+{
+  namespace
+  {
+    Vector2 to_vector2(const dealii::Point<2> &point)
+    {
+      return Vector2(point[0], point[1]);
+    }
+
+    /// The mean of the outward unit normal over a side, of its straight edges.
+    Vector2 mean_normal(const dealii::Triangulation<2> &triangulation, const dealii::types::boundary_id side)
+    {
+      Vector2 sum = Vector2::Zero();
+      double length = 0.;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == side)
+          {
+            const Vector2 a = to_vector2(face->vertex(0)), b = to_vector2(face->vertex(1));
+            const Vector2 normal((b - a).y(), (a - b).x());
+            const bool outward = normal.dot(a - to_vector2(cell->center())) > 0.;
+            sum += outward ? normal : Vector2(-normal);
+            length += (b - a).norm();
+          }
+      return sum / length;
+    }
+
+    std::vector<Vector2> boundary_vertices(const dealii::Triangulation<2> &triangulation)
+    {
+      std::set<unsigned int> numbers;
+      for (const auto &face : triangulation.active_face_iterators())
+        if (face->at_boundary())
+          numbers.insert({face->vertex_index(0), face->vertex_index(1)});
+      std::vector<Vector2> vertices;
+      for (const unsigned int number : numbers)
+        vertices.push_back(to_vector2(triangulation.get_vertices()[number]));
+      return vertices;
+    }
+
+    double extent(const std::vector<Vector2> &points, const Vector2 &direction)
+    {
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+      for (const Vector2 &point : points)
+      {
+        lowest = std::min(lowest, point.dot(direction));
+        highest = std::max(highest, point.dot(direction));
+      }
+      return highest - lowest;
+    }
+
+    double diameter(const std::vector<Vector2> &points)
+    {
+      double largest = 0.;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          largest = std::max(largest, (points[i] - points[j]).norm());
+      return largest;
+    }
+  } // namespace
+
+  double contact_depth(const BodyDescription &body, const BodyMesh &mesh,
+                       const dealii::types::boundary_id side)
+  {
+    if (body.contact_depth)
+      return body.placement.length_to_world(*body.contact_depth);
+    switch (body.shape)
+    {
+    case Shape::disc:
+    case Shape::half_disc:
+    case Shape::quarter_disc:
+      return body.placement.length_to_world(body.size.at(0));
+    case Shape::ring:
+    case Shape::quarter_ring:
+      return body.placement.length_to_world(body.size.at(1) - body.size.at(0));
+    default:
+      constexpr double vanishing = 1e-6; // mean of a unit vector: 0 around a closed curve up to rounding
+      const auto vertices = boundary_vertices(mesh.triangulation);
+      const Vector2 normal = mean_normal(mesh.triangulation, side);
+      return normal.norm() > vanishing ? extent(vertices, normal.normalized()) : 0.5 * diameter(vertices);
+    }
+  }
+} // namespace abut

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/mesh/raw_mesh.h>
+#include <abut/user_error.h>
+
+#include <sstream>
+#include <utility>
+
+namespace abut
+{
+  void RawMesh::add_block(const std::array<unsigned int, 2> &n,
+                          const std::function<unsigned int(unsigned int, unsigned int)> &index)
+  {
+    for (unsigned int j = 0; j < n[1]; ++j)
+      for (unsigned int i = 0; i < n[0]; ++i)
+        cells.push_back({index(i, j), index(i + 1, j), index(i, j + 1), index(i + 1, j + 1)});
+  }
+
+  void RawMesh::add_side(const std::string &name, const unsigned int n,
+                         const std::function<unsigned int(unsigned int)> &index)
+  {
+    const unsigned int side = sides.emplace(name, static_cast<unsigned int>(sides.size())).first->second;
+    for (unsigned int i = 0; i < n; ++i)
+      boundary_edges.push_back({{{index(i), index(i + 1)}}, side});
+  }
+
+  void turn_cells_over(RawMesh &mesh)
+  {
+    for (auto &cell : mesh.cells)
+      std::swap(cell[1], cell[2]);
+  }
+
+  RawMesh reflect(const RawMesh &mesh, const int component, const std::string &seam)
+  {
+    RawMesh image = mesh;
+    turn_cells_over(image);
+
+    RawMesh result = mesh;
+    std::vector<unsigned int> image_index(mesh.vertices.size());
+    for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
+      if (mesh.vertices[v][component] == 0.)
+        image_index[v] = v;
+      else
+      {
+        image_index[v] = static_cast<unsigned int>(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[v]);
+        result.vertices.back()[component] *= -1.;
+      }
+
+    for (auto &cell : image.cells)
+    {
+      for (auto &v : cell)
+        v = image_index[v];
+      result.cells.push_back(cell);
+    }
+
+    const unsigned int seam_id = mesh.sides.at(seam);
+    result.sides.erase(seam);
+    result.boundary_edges.clear();
+    for (const auto &[ends, side] : mesh.boundary_edges)
+      if (side != seam_id)
+      {
+        result.boundary_edges.push_back({ends, side});
+        result.boundary_edges.push_back({{{image_index[ends[0]], image_index[ends[1]]}}, side});
+      }
+    return result;
+  }
+
+  RawMesh split_into_triangles(const RawMesh &quadrilaterals)
+  {
+    RawMesh result = quadrilaterals;
+    result.cell_type = CellType::triangles;
+    result.cells.clear();
+    for (const auto &cell : quadrilaterals.cells)
+    {
+      result.cells.push_back({cell[0], cell[1], cell[3]});
+      result.cells.push_back({cell[0], cell[3], cell[2]});
+    }
+    return result;
+  }
+
+  namespace
+  {
+    /// Vertices of a cell, in the order in which they are met on the way around it.
+    std::vector<unsigned int> counter_clockwise(const std::vector<unsigned int> &cell)
+    {
+      return cell.size() == 4 ? std::vector<unsigned int>{cell[0], cell[1], cell[3], cell[2]} : cell;
+    }
+
+    bool is_convex(const RawMesh &mesh, const std::vector<unsigned int> &cell)
+    {
+      constexpr double smallest_angle = 1e-10; // as a sine: below, rounding decides
+      const auto around = counter_clockwise(cell);
+      const std::size_t n = around.size();
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const Vector2 &corner = mesh.vertices[around[i]];
+        const Vector2 next = mesh.vertices[around[(i + 1) % n]] - corner;
+        const Vector2 previous = mesh.vertices[around[(i + n - 1) % n]] - corner;
+        const double area = next.x() * previous.y() - next.y() * previous.x();
+        if (!(area > smallest_angle * next.norm() * previous.norm()))
+          return false;
+      }
+      return true;
+    }
+  } // namespace
+
+  void check_cells(const RawMesh &mesh, const std::string &where)
+  {
+    for (const auto &cell : mesh.cells)
+      if (!is_convex(mesh, cell))
+      {
+        std::ostringstream message;
+        message << where << ": a cell with a corner at (" << mesh.vertices[cell[0]].x() << ", "
+                << mesh.vertices[cell[0]].y()
+                << ") is too distorted (all its angles must be between 0 and 180 degrees)";
+        throw UserError(message.str());
+      }
+  }
+} // namespace abut

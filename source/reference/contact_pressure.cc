@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/reference/contact_pressure.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+    constexpr double contact_pressure_pi = boost::math::constants::pi<double>();
+    constexpr Complex imaginary_unit(0., 1.);
+
+    // cot z - 1/z and its derivative 1/z^2 - 1/sin^2 z, from z and q = exp(2iz), |q| <= 1.
+    ContactPressure::Potential cotangent_without_pole(const Complex z, const Complex q)
+    {
+      if (std::norm(z) < 0.05 * 0.05)
+      {
+        const Complex s = z * z;
+        return {-z * (1. / 3. + s * (1. / 45. + s * (2. / 945. + s / 4725.))),
+                -(1. / 3. + s * (1. / 15. + s * (2. / 189. + s / 675.)))};
+      }
+      const Complex reciprocal = 1. / z;
+      const Complex ratio = 1. / (1. - q);
+      return {-imaginary_unit * (1. + q) * ratio - reciprocal,
+              reciprocal * reciprocal + 4. * q * ratio * ratio};
+    }
+
+    // int_0^pi cos(2 k angle) sin(angle) d angle
+    double cosine_moment(const Eigen::Index k)
+    {
+      return 2. / (1. - 4. * double(k) * double(k));
+    }
+  } // namespace
+
+  ContactPressure::ContactPressure(const SineBasis &basis, const Eigen::VectorXd &coefficients)
+      : basis_(basis), coefficients_(coefficients), weighted_(basis.quadrature() * coefficients),
+        node_exponential_(
+            (-imaginary_unit * contact_pressure_pi / basis.length() * basis.nodes()).array().exp())
+  {}
+
+  double ContactPressure::force() const
+  {
+    return 0.25 * contact_pressure_pi * half_width() * coefficients_(0);
+  }
+
+  double ContactPressure::l2_norm() const
+  {
+    double sum = 0.;
+    for (Eigen::Index i = 0; i < basis_.size(); ++i)
+      for (Eigen::Index j = 0; j < basis_.size(); ++j)
+        sum += coefficients_(i) * coefficients_(j) * 0.5 * (cosine_moment(i - j) - cosine_moment(i + j + 1));
+    return std::sqrt(0.5 * half_width() * sum);
+  }
+
+  ContactPressure::Potential ContactPressure::complex_potential(const double x, const double depth) const
+  {
+    const Complex z(x, depth);
+    const Potential pole = pole_part(z);
+    const Potential images = image_part(z);
+    if (depth <= 0.)
+      return {pole.value + images.value, 0.};
+    return {pole.value + images.value, pole.slope + images.slope};
+  }
+
+  ContactPressure::Potential ContactPressure::pole_part(const Complex z) const
+  {
+    const Complex tau = z / half_width();
+    const Complex root = std::sqrt(tau - 1.) * std::sqrt(tau + 1.);
+    const Complex inverse = 1. / (tau + root);
+    Complex power = inverse;
+    Potential sum{0., 0.};
+    for (Eigen::Index j = 0; j < basis_.size(); ++j)
+    {
+      sum.value += coefficients_(j) * power;
+      sum.slope += coefficients_(j) * double(2 * j + 1) * power;
+      power *= inverse * inverse;
+    }
+    return {imaginary_unit * sum.value, -imaginary_unit * sum.slope / (half_width() * root)};
+  }
+
+  ContactPressure::Potential ContactPressure::image_part(const Complex z) const
+  {
+    const double to_angle = contact_pressure_pi / (2. * basis_.length());
+    const Complex exponential = std::exp(2. * imaginary_unit * to_angle * z);
+    Potential sum{0., 0.};
+    for (Eigen::Index q = 0; q < weighted_.size(); ++q)
+    {
+      const Potential part =
+          cotangent_without_pole(to_angle * (z - basis_.nodes()(q)), exponential * node_exponential_(q));
+      sum.value += weighted_(q) * part.value;
+      sum.slope += weighted_(q) * part.slope;
+    }
+    const Complex factor = imaginary_unit / (2. * basis_.length());
+    return {factor * sum.value, factor * to_angle * sum.slope};
+  }
+} // namespace abut

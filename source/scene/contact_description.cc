@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/scene/contact_description.h>
+#include <abut/scene/text.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace abut
+{
+  namespace
+  {
+    Side parse_side(const std::string &text, const std::string &where)
+    {
+      const auto colon = text.find(':');
+      Side side;
+      if (colon != std::string::npos)
+        side = {trim(text.substr(0, colon)), trim(text.substr(colon + 1))};
+      if (side.body.empty() || side.boundary.empty())
+        throw UserError(where + ": received `" + text + "`, a side is written body:id");
+      return side;
+    }
+  } // namespace
+
+  void ContactDescription::declare(dealii::ParameterHandler &prm)
+  {
+    namespace Patterns = dealii::Patterns;
+    prm.declare_entry("Slave", "", Patterns::Anything(),
+                      "body:id, the side on whose mesh the contact pressure lives.");
+    prm.declare_entry("Master", "", Patterns::Anything(), "body:id, the side it may touch.");
+    prm.declare_entry("Gap", "geometry", Patterns::Anything(),
+                      "Initial normal gap, negative for an overlap: geometry, or a formula in x, y of the "
+                      "slave's own frame. Length, before the slave's Scale.");
+    prm.declare_entry("Penalty coefficient", "0.05", Patterns::Double(0.),
+                      "c of the penalty theta = (c/2) sum H/E over the two bodies, above 0. No unit.");
+    prm.declare_entry(
+        "Penalty", "0", Patterns::Double(0.),
+        "theta itself, in place of the coefficient. Length per stress. 0: from the coefficient.");
+  }
+
+  ContactDescription ContactDescription::parse(dealii::ParameterHandler &prm, const std::string &name,
+                                               const Constants &constants)
+  {
+    const std::string where = "Contact " + name + "/";
+    ContactDescription contact;
+    contact.name = name;
+    contact.slave = parse_side(prm.get("Slave"), where + "Slave");
+    contact.master = parse_side(prm.get("Master"), where + "Master");
+    if (const std::string gap = prm.get("Gap"); gap != "geometry")
+      contact.gap.emplace(gap, constants, where + "Gap");
+    contact.penalty_coefficient = prm.get_double("Penalty coefficient");
+    if (const double penalty = prm.get_double("Penalty"); penalty > 0.)
+      contact.penalty = penalty;
+    else if (!(contact.penalty_coefficient > 0.))
+      throw UserError(where + "Penalty coefficient: received `" + prm.get("Penalty coefficient") +
+                      "`, allowed are numbers above 0: exact contact is beyond the scheme neumann");
+    return contact;
+  }
+} // namespace abut

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/scene/expression.h>
+#include <abut/scene/text.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <cmath>
+#include <iostream>
+#include <regex>
+
+namespace abut
+{
+  namespace
+  {
+    /// deal.II prints a parser's complaint on std::cerr and then throws it: here the exception is enough.
+    class SilentErrorStream
+    {
+    public:
+      SilentErrorStream() : buffer_(std::cerr.rdbuf(nullptr)) {}
+      ~SilentErrorStream() { std::cerr.rdbuf(buffer_); }
+      SilentErrorStream(const SilentErrorStream &) = delete;
+      SilentErrorStream &operator=(const SilentErrorStream &) = delete;
+
+    private:
+      std::streambuf *buffer_;
+    };
+
+    /// What muParser and deal.II would take for something else than one formula; empty if nothing.
+    std::string misleading_part(const std::string &text)
+    {
+      if (text.empty())
+        return "it is empty";
+      if (split_outside_parentheses(text, ',').size() > 1)
+        return "it has a comma outside parentheses";
+      if (text.find(';') != std::string::npos)
+        return "it has a semicolon";
+      if (std::regex_search(text, std::regex("(^|[^<>=!])=([^=]|$)")))
+        return "it has an assignment, where == compares";
+      return "";
+    }
+  } // namespace
+
+  struct Expression::Parser
+  {
+    dealii::FunctionParser<2> function;
+  };
+
+  Expression::Expression(const std::string &text, const Constants &constants, const std::string &where)
+      : text_(trim(text)), where_(where)
+  {
+    const std::string begin = where_ + ": `" + text_ + "` is not a formula: ";
+    const std::string reason = misleading_part(text_);
+    if (!reason.empty())
+      throw UserError(begin + reason);
+
+    Constants all = constants;
+    all["pi"] = std::acos(-1.);
+    try
+    {
+      const SilentErrorStream silent;
+      const auto parser = std::make_shared<Parser>();
+      parser->function.initialize("x,y", text_, all);
+      parser->function.value(dealii::Point<2>()); // the text is only read now
+      parser_ = parser;
+    }
+    catch (const dealii::ExceptionBase &exception)
+    {
+      throw UserError(begin + one_line(exception));
+    }
+  }
+
+  double Expression::operator()(const Vector2 &own_point) const
+  {
+    const double value = parser_->function.value(dealii::Point<2>(own_point.x(), own_point.y()));
+    if (!std::isfinite(value))
+      throw UserError(where_ + ": `" + text_ + "` has no finite value at (" + std::to_string(own_point.x()) +
+                      ", " + std::to_string(own_point.y()) + ") of the body's own frame");
+    return value;
+  }
+
+  bool Expression::is_constant() const
+  {
+    return !std::regex_search(text_, std::regex("(^|[^A-Za-z0-9_.])[xy]($|[^A-Za-z0-9_])"));
+  }
+
+  double constant_value(const std::string &text, const Constants &constants, const std::string &where)
+  {
+    const Expression expression(text, constants, where);
+    if (!expression.is_constant())
+      throw UserError(where + ": `" + expression.text() +
+                      "` depends on x or y, allowed are numbers and constants");
+    return expression(Vector2::Zero());
+  }
+} // namespace abut

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/scene/preamble.h>
+#include <abut/scene/section.h>
+#include <abut/user_error.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <regex>
+
+namespace abut
+{
+  namespace
+  {
+    void check_names(const std::vector<std::string> &names, const std::string &list)
+    {
+      static const std::regex allowed("[A-Za-z0-9_.-]+");
+      for (auto name = names.begin(); name != names.end(); ++name)
+      {
+        if (!std::regex_match(*name, allowed))
+          throw UserError(list + ": received the name `" + *name +
+                          "`, allowed are letters, digits, underscores, hyphens and full stops");
+        if (std::find(names.begin(), name, *name) != name)
+          throw UserError(list + ": the name `" + *name + "` is given twice, once is allowed");
+      }
+    }
+
+    Constants parse_constants(const dealii::ParameterHandler &prm)
+    {
+      static const std::regex allowed("[A-Za-z][A-Za-z0-9_]*");
+      const auto names = dealii::Utilities::split_string_list(prm.get("Names"));
+      const auto values =
+          dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(prm.get("Values")));
+      if (names.size() != values.size())
+        throw UserError("Constants: received " + std::to_string(names.size()) + " names and " +
+                        std::to_string(values.size()) + " values, as many of each are allowed");
+      Constants constants;
+      for (std::size_t i = 0; i < names.size(); ++i)
+      {
+        if (!std::regex_match(names[i], allowed) || names[i] == "x" || names[i] == "y" || names[i] == "pi")
+          throw UserError(
+              "Constants/Names: received `" + names[i] +
+              "`, allowed are a letter and then letters, digits or underscores, except x, y and pi");
+        if (!constants.emplace(names[i], values[i]).second)
+          throw UserError("Constants/Names: the name `" + names[i] + "` is given twice, once is allowed");
+      }
+      return constants;
+    }
+  } // namespace
+
+  void Preamble::declare(dealii::ParameterHandler &prm)
+  {
+    namespace Patterns = dealii::Patterns;
+    prm.declare_entry("Bodies", "", Patterns::List(Patterns::Anything()),
+                      "Names of the bodies, separated by commas; each has a section `Body <name>`.");
+    prm.declare_entry("Contacts", "", Patterns::List(Patterns::Anything()),
+                      "Names of the pairs of sides that may touch; each has a section `Contact <name>`.");
+    const Section section(prm, "Constants");
+    prm.declare_entry("Names", "", Patterns::List(Patterns::Anything()),
+                      "Names of constants that every formula of the file may use; pi is known.");
+    prm.declare_entry("Values", "", Patterns::List(Patterns::Double()),
+                      "Their values, in the same order. The user's units.");
+  }
+
+  Preamble Preamble::read(const ParameterFile &input)
+  {
+    dealii::ParameterHandler prm;
+    declare(prm);
+    input.parse_into(prm, true);
+    Preamble preamble;
+    preamble.bodies = dealii::Utilities::split_string_list(prm.get("Bodies"));
+    preamble.contacts = dealii::Utilities::split_string_list(prm.get("Contacts"));
+    if (preamble.bodies.empty())
+      throw UserError("Bodies: received an empty list, a scene needs at least one name");
+    check_names(preamble.bodies, "Bodies");
+    check_names(preamble.contacts, "Contacts");
+    const Section section(prm, "Constants");
+    preamble.constants = parse_constants(prm);
+    return preamble;
+  }
+} // namespace abut

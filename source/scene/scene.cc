@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/scene/preamble.h>
+#include <abut/scene/scene.h>
+#include <abut/scene/section.h>
+#include <abut/scene/text.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    using dealii::ParameterHandler;
+    using Names = std::vector<std::string>;
+
+    template <typename Declare>
+    void declare_section(ParameterHandler &prm, const std::string &name, const Declare &declare)
+    {
+      const Section section(prm, name);
+      declare(prm);
+    }
+
+    template <typename Parse>
+    auto parse_section(ParameterHandler &prm, const std::string &name, const Parse &parse)
+    {
+      const Section section(prm, name);
+      return parse();
+    }
+
+    void declare_output(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+          "Directory", "", dealii::Patterns::DirectoryName(),
+          "Where results are written. Empty: results/, then the parameter file's name without its "
+          "ending.");
+    }
+
+    void declare_discretisation_defaults(ParameterHandler &prm)
+    {
+      prm.declare_entry("Degree", "1", dealii::Patterns::Integer(1, 3),
+                        "Polynomial degree of the bodies that name none of their own.");
+    }
+
+    void declare_all(ParameterHandler &prm, const Names &bodies, const Names &contacts)
+    {
+      Preamble::declare(prm);
+      prm.declare_entry(
+          "Tolerance", "0", dealii::Patterns::Double(0.),
+          "Relative error asked for in the energy norm, no unit; 0: the sections below are followed "
+          "literally. Only 0 in this version.");
+      declare_section(prm, "Output", declare_output);
+      declare_section(prm, "Discretisation", declare_discretisation_defaults);
+      for (const auto &name : bodies)
+        declare_section(prm, "Body " + name, BodyDescription::declare);
+      for (const auto &name : contacts)
+        declare_section(prm, "Contact " + name, ContactDescription::declare);
+      declare_section(prm, "Decomposition", DecompositionParameters::declare);
+      declare_section(prm, "Reference", ReferenceParameters::declare);
+    }
+
+    /// Whether a file that can be read with all its sections declared has the section of this body.
+    bool has_body_section(const ParameterFile &input, const Preamble &preamble, const std::string &body)
+    {
+      Names others = preamble.bodies;
+      others.erase(std::find(others.begin(), others.end(), body));
+      ParameterHandler prm;
+      declare_all(prm, others, preamble.contacts);
+      try
+      {
+        input.parse_into(prm, false);
+        return false;
+      }
+      catch (const UserError &)
+      {
+        return true;
+      }
+    }
+
+    void parse_bodies(ParameterHandler &prm, const ParameterFile &input, const Preamble &preamble,
+                      Scene &scene)
+    {
+      const auto degree = parse_section(prm, "Discretisation",
+                                        [&] { return static_cast<unsigned int>(prm.get_integer("Degree")); });
+      for (const auto &name : preamble.bodies)
+      {
+        if (!has_body_section(input, preamble, name))
+          throw UserError("Bodies: `" + name + "` needs a section `Body " + name + "`, there is none");
+        scene.bodies.push_back(parse_section(prm, "Body " + name, [&] {
+          return BodyDescription::parse(prm, name, degree, preamble.constants, input.directory());
+        }));
+      }
+    }
+
+    void parse_rest(ParameterHandler &prm, const Preamble &preamble, Scene &scene)
+    {
+      if (prm.get_double("Tolerance") != 0.)
+        throw UserError("Tolerance: received `" + prm.get("Tolerance") +
+                        "`, allowed is 0: tolerance-driven runs are not available in this version");
+      scene.output_directory = parse_section(prm, "Output", [&] { return prm.get("Directory"); });
+      if (scene.output_directory.empty())
+        scene.output_directory = "results/" + std::filesystem::path(scene.file).stem().string();
+      for (const auto &name : preamble.contacts)
+        scene.contacts.push_back(parse_section(prm, "Contact " + name, [&] {
+          return ContactDescription::parse(prm, name, preamble.constants);
+        }));
+      scene.decomposition =
+          parse_section(prm, "Decomposition", [&] { return DecompositionParameters::parse(prm); });
+      scene.reference = parse_section(prm, "Reference",
+                                      [&] { return ReferenceParameters::parse(prm, preamble.constants); });
+    }
+
+    void check_contacts(const Scene &scene)
+    {
+      for (const auto &contact : scene.contacts)
+      {
+        const std::string where = "Contact " + contact.name;
+        for (const auto &[entry, side] : {std::pair("/Slave", contact.slave), {"/Master", contact.master}})
+          if (scene.body_index(side.body) == scene.bodies.size())
+            throw UserError(where + entry + ": received the body `" + side.body +
+                            "`, allowed are those of the list Bodies");
+        if (contact.slave.body == contact.master.body && contact.slave.boundary == contact.master.boundary)
+          throw UserError(where + ": slave and master are the same side `" + contact.slave.body + ":" +
+                          contact.slave.boundary + "`, two different ones are needed");
+      }
+    }
+
+    void check_resultants(const Scene &scene)
+    {
+      std::size_t resultants = 0;
+      for (const auto &body : scene.bodies)
+        resultants += static_cast<std::size_t>(
+            std::count_if(body.conditions.begin(), body.conditions.end(),
+                          [](const Condition &c) { return c.kind == ConditionKind::resultant; }));
+      if (resultants > 1)
+        throw UserError(
+            "Conditions: received " + std::to_string(resultants) +
+            " resultants, one in a scene is allowed: several need an interface solver that is not "
+            "available in this version");
+    }
+
+    /// The parameters as they were used, free of what depends on the file's name and place.
+    std::string used_parameters(ParameterHandler &prm, const Scene &scene)
+    {
+      const auto set = [&](const std::string &section, const std::string &entry, const std::string &value) {
+        const Section scope(prm, section);
+        prm.set(entry, value);
+      };
+      set("Output", "Directory", scene.output_directory);
+      for (const auto &body : scene.bodies)
+        if (!body.mesh_file.empty())
+          set("Body " + body.name, "Mesh file", std::filesystem::absolute(body.mesh_path).string());
+      std::ostringstream text;
+      prm.print_parameters(text, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
+      return text.str();
+    }
+
+    Scene read_scene(const ParameterFile &input)
+    {
+      const Preamble preamble = Preamble::read(input);
+      ParameterHandler prm;
+      declare_all(prm, preamble.bodies, preamble.contacts);
+      input.parse_into(prm, false);
+
+      Scene scene;
+      scene.file = input.name();
+      parse_bodies(prm, input, preamble, scene);
+      parse_rest(prm, preamble, scene);
+      check_contacts(scene);
+      check_resultants(scene);
+      scene.parameters = used_parameters(prm, scene);
+      return scene;
+    }
+  } // namespace
+
+  Scene Scene::read(const std::string &file, const std::vector<std::string> &overrides)
+  {
+    const ParameterFile input(file, overrides);
+    try
+    {
+      return read_scene(input);
+    }
+    catch (const UserError &error)
+    {
+      throw UserError(file + ": " + error.what());
+    }
+    catch (const dealii::ExceptionBase &exception)
+    {
+      throw UserError(file + ": " + one_line(exception));
+    }
+  }
+
+  void Scene::print_parameters(std::ostream &out)
+  {
+    ParameterHandler prm;
+    declare_all(prm, {"<name>"}, {"<name>"});
+    prm.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+  }
+
+  std::size_t Scene::body_index(const std::string &name) const
+  {
+    return static_cast<std::size_t>(
+        std::find_if(bodies.begin(), bodies.end(), [&](const auto &body) { return body.name == name; }) -
+        bodies.begin());
+  }
+} // namespace abut
