@@ -112,10 +112,8 @@ namespace abut
   }
 
   NeumannScheme::NeumannScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                               const DecompositionParameters &parameters)
-      : problem_(problem), compliance_(compliance), parameters_(parameters),
-        relaxation_(parameters.relaxation ? *parameters.relaxation
-                                          : automatic_relaxation(largest_eigenvalue(problem, compliance)))
+                               const DecompositionParameters &parameters, const double relaxation)
+      : problem_(problem), compliance_(compliance), parameters_(parameters), relaxation_(relaxation)
   {}
 
   SchemeResult NeumannScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
@@ -163,6 +161,7 @@ namespace abut
       // Without a field for u^k, the last solved displacement and its traction are a pair in equilibrium.
       result.traction = state.traction ? *state.traction : pressures;
       result.response = state.traction ? state.response : solved.response;
+      result.iterate = state.response;
       if (by_bound)
         result.stopped_by = StoppedBy::bound;
       else if (by_increment)

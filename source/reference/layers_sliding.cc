@@ -60,8 +60,11 @@ namespace abut
 
   double LayersSliding::displacement(const unsigned int body, const double x) const
   {
-    return layer_displacement(data_.layers.at(body), data_.length, Eigen::VectorXd::Constant(1, x),
-                              modes_.at(body), Eigen::VectorXd::Constant(1, pressure_.potential(x)))(0, 0);
+    const Layer &layer = data_.layers.at(body);
+    const Eigen::VectorXd &modes = modes_.at(body);
+    const Eigen::VectorXd potential = Eigen::VectorXd::Constant(1, pressure_.potential(x));
+    return layer.uniform_compliance() * modes(0) +
+           wave_displacement(layer, data_.length, Eigen::VectorXd::Constant(1, x), modes, potential)(0, 0);
   }
 
   double LayersSliding::strain_energy(const unsigned int body) const

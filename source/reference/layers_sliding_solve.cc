@@ -17,6 +17,7 @@ namespace abut
     constexpr double layers_solve_pi = boost::math::constants::pi<double>();
     constexpr double narrowest_contact = 1e-4; // half-width by length
     constexpr double widest_contact = 0.99;
+    constexpr double thinnest_layer = 1. / 400.; // thickness by length
 
     void check_layers_data(const LayersSlidingData &data)
     {
@@ -31,6 +32,10 @@ namespace abut
       else if (!(data.approach > 0.))
         message << "The layers are pressed together by the approach " << data.approach
                 << ", which must be positive.";
+      for (const Layer &layer : data.layers)
+        if (message.str().empty() && layer.thickness < thinnest_layer * data.length)
+          message << "A layer has the thickness " << layer.thickness << ", which must be at least "
+                  << thinnest_layer << " of its length " << data.length << " for the exact solution.";
       if (!message.str().empty())
         throw UserError(message.str());
     }
@@ -41,30 +46,37 @@ namespace abut
       double approach;              // at which the contact is that wide
     };
 
+    // The unknowns are the coefficients and the approach without its uniform part, which would spoil the
+    // condition of the system in thick layers.
     ContactForWidth solve_for_width(const LayersSlidingData &data, const SineBasis &basis)
     {
       const Eigen::Index n = basis.size();
       const double a = basis.half_width();
-      const Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(n + 1, [&](Eigen::Index i) {
+      const auto point = [&](Eigen::Index i) {
         return a * std::cos(double(2 * i + 1) * layers_solve_pi / double(4 * (n + 1)));
-      });
+      };
+      const Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(n + 1, point);
       Eigen::MatrixXd potential(n + 1, n);
       for (Eigen::Index i = 0; i <= n; ++i)
         potential.row(i) = basis.potential(x(i));
 
       Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 1, n + 1);
       double compliance = 0.;
+      double uniform_compliance = 0.;
       for (const Layer &layer : data.layers)
       {
         compliance += layer.half_plane_compliance();
-        matrix.leftCols(n) += layer_displacement(layer, data.length, x,
-                                                 basis.modes(layer.n_thin_modes(data.length)), potential);
+        uniform_compliance += layer.uniform_compliance();
+        const Eigen::MatrixXd modes = basis.modes(layer.n_thin_modes(data.length));
+        matrix.leftCols(n) += wave_displacement(layer, data.length, x, modes, potential);
       }
       matrix.leftCols(n) /= a * compliance; // free of units
       matrix.col(n).setConstant(-1.);
       const Eigen::VectorXd gap = data.gap_curvature / a * x.array().square();
       const Eigen::VectorXd solution = matrix.partialPivLu().solve(-gap);
-      return {solution.head(n) / compliance, solution(n) * a};
+      const Eigen::VectorXd coefficients = solution.head(n) / compliance;
+      const double mean_pressure = (basis.modes(0) * coefficients)(0);
+      return {coefficients, solution(n) * a + uniform_compliance * mean_pressure};
     }
 
     double find_half_width(const LayersSlidingData &data, const Eigen::Index n)
@@ -92,20 +104,17 @@ namespace abut
     }
   } // namespace
 
-  Eigen::MatrixXd layer_displacement(const Layer &layer, const double length, const Eigen::VectorXd &x,
-                                     const Eigen::MatrixXd &modes, const Eigen::MatrixXd &potential)
+  Eigen::MatrixXd wave_displacement(const Layer &layer, const double length, const Eigen::VectorXd &x,
+                                    const Eigen::MatrixXd &modes, const Eigen::MatrixXd &potential)
   {
-    const Eigen::Index n_modes = modes.rows() - 1;
-    Eigen::MatrixXd waves(x.size(), n_modes + 1);
-    waves.col(0).setConstant(layer.uniform_compliance());
-    for (Eigen::Index k = 1; k <= n_modes; ++k)
+    const Eigen::Index n_waves = modes.rows() - 1;
+    Eigen::MatrixXd waves(x.size(), n_waves);
+    for (Eigen::Index i = 0; i < n_waves; ++i)
     {
-      const double lambda = double(k) * layers_solve_pi / length;
-      const double change =
-          layer.half_plane_compliance() * Layer::compliance_change(lambda * layer.thickness) / lambda;
-      waves.col(k) = change * (lambda * x).array().cos();
+      const double lambda = double(i + 1) * layers_solve_pi / length;
+      waves.col(i) = Layer::compliance_change(lambda * layer.thickness) / lambda * (lambda * x).array().cos();
     }
-    return waves * modes + layer.half_plane_compliance() * potential;
+    return layer.half_plane_compliance() * (waves * modes.bottomRows(n_waves) + potential);
   }
 
   ContactPressure solve_layers_sliding(const LayersSlidingData &data)

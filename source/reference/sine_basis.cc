@@ -25,6 +25,28 @@ namespace abut
                     : sine_basis_pi / double(k) * std::pow(rho, -double(k));
     }
 
+    // J_{2j+1}(z), j = 0 ... n-1. The upward recurrence is stable for orders below z.
+    Eigen::RowVectorXd odd_bessel(double z, Eigen::Index n)
+    {
+      using boost::math::cyl_bessel_j;
+      Eigen::RowVectorXd result(n);
+      if (z < double(2 * n))
+      {
+        for (Eigen::Index j = 0; j < n; ++j)
+          result(j) = cyl_bessel_j(static_cast<int>(2 * j + 1), z);
+        return result;
+      }
+      double even = cyl_bessel_j(0, z);
+      double odd = cyl_bessel_j(1, z);
+      for (Eigen::Index j = 0; j < n; ++j)
+      {
+        result(j) = odd;
+        even = double(4 * j + 2) / z * odd - even;
+        odd = double(4 * j + 4) / z * even - odd;
+      }
+      return result;
+    }
+
     // -ln(sin z / z)
     double minus_log_sinc(double z)
     {
@@ -62,12 +84,9 @@ namespace abut
     for (Eigen::Index k = 1; k <= n_modes; ++k)
     {
       const double z = double(k) * sine_basis_pi * half_width_ / length_;
+      const Eigen::RowVectorXd bessel = odd_bessel(z, size());
       for (Eigen::Index j = 0; j < size(); ++j)
-      {
-        const int order = static_cast<int>(2 * j + 1);
-        const double sign = j % 2 == 0 ? 1. : -1.;
-        result(k, j) = sign * order * boost::math::cyl_bessel_j(order, z) / double(k);
-      }
+        result(k, j) = (j % 2 == 0 ? 1. : -1.) * double(2 * j + 1) * bessel(j) / double(k);
     }
     return result;
   }

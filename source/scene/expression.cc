@@ -38,6 +38,11 @@ namespace abut
         return "it has an assignment, where == compares";
       return "";
     }
+    /// The complaint without the column in front of it, which is the component's number.
+    std::string complaint(const dealii::ExceptionBase &exception)
+    {
+      return std::regex_replace(one_line(exception), std::regex("^Parsing Error.*The parser said: "), "");
+    }
   } // namespace
 
   struct Expression::Parser
@@ -65,7 +70,7 @@ namespace abut
     }
     catch (const dealii::ExceptionBase &exception)
     {
-      throw UserError(begin + one_line(exception));
+      throw UserError(begin + complaint(exception));
     }
   }
 

@@ -8,7 +8,6 @@
 
 #include "reference_layers_data.h"
 #include <cmath>
-#include <iostream>
 
 namespace abut
 {
@@ -75,7 +74,6 @@ namespace abut
       const double curvature = data.gap_curvature + kernel_curvature(data) * force;
       const HertzLineContact hertz(force, 1. / (2. * curvature), modulus);
       const double error = std::abs(layers.half_width() / hertz.half_width() - 1.);
-      std::cout << error << " " << std::pow(layers.half_width(), 4) << "\n";
       EXPECT_LT(error, std::pow(layers.half_width(), 4));
       EXPECT_LT(error, last_error / 15.);
       last_error = error;

@@ -8,6 +8,8 @@
 #include "reference_layers_data.h"
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace abut
 {
@@ -134,8 +136,44 @@ namespace abut
              with([](auto &d) { d.layers[1].young_modulus = -1.; }),
              with([](auto &d) { d.layers[1].poisson_ratio = 0.5; }),
              with([](auto &d) { d.layers[0].thickness = 0.; }),
+             with([](auto &d) { d.layers[0].thickness = 0.009; }),
          })
       EXPECT_THROW(LayersSliding{wrong}, UserError);
+  }
+
+  TEST(LayersSliding, names_the_approach_and_its_limits)
+  {
+    LayersSlidingData data = equal_layers();
+    data.approach = 0.5;
+    try
+    {
+      const LayersSliding exact(data);
+      FAIL() << "an approach that fills the width was accepted";
+    }
+    catch (const UserError &error)
+    {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("approach 0.5, which must lie between"), std::string::npos) << text;
+    }
+  }
+
+  // Far from the edge of contact a thin sliding layer gives way like springs, H(1-nu^2)/E each, and by the
+  // mean pressure without lateral strain: L(u) = u/2 + O(u^5), a parabola of pressure feels no more of it.
+  TEST(LayersSliding, thin_layers_are_elastic_foundations)
+  {
+    LayersSlidingData data = equal_layers();
+    for (Layer &layer : data.layers)
+      layer.thickness = 0.05;
+    const LayersSliding exact(data);
+    const Layer &layer = data.layers[0];
+    const double spring =
+        layer.thickness * (1. - layer.poisson_ratio * layer.poisson_ratio) / layer.young_modulus;
+    const double mean = exact.force() / data.length;
+    for (const double x : {0., 0.1, 0.3})
+    {
+      const double expected = layer.uniform_compliance() * mean + spring * (exact.pressure(x) - mean);
+      EXPECT_NEAR(2. * expected / (data.approach - data.gap_curvature * x * x), 1., 1e-10) << "x = " << x;
+    }
   }
 
   TEST(LayersSliding, is_resolved_between_narrow_and_wide_contact)

@@ -40,7 +40,7 @@ TEST(Expression, refuses_at_once_what_is_no_formula)
 {
   for (const std::string text : {"", "x +", "sin(x", "z", "if(x<1, unknown, 2)", "1, 2", "1; 2", "x = 3"})
     expect_phrase(error(text), "here: `" + text + "` is not a formula: ");
-  expect_phrase(error("q*x"), "Unexpected token \"q\"");
+  expect_phrase(error("q*x"), "`q*x` is not a formula: Unexpected token \"q\" found at position 0");
   expect_phrase(error("1, 2"), "comma outside parentheses");
   expect_phrase(error("if(x=1, 2, 3)"), "== compares");
 }

@@ -18,7 +18,7 @@ namespace abut
   {
   public:
     NeumannScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                  const DecompositionParameters &parameters);
+                  const DecompositionParameters &parameters, double relaxation);
 
     SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                        const StepObserver &observer) const override;

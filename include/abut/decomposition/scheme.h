@@ -47,6 +47,8 @@ namespace abut
     Eigen::VectorXd traction;
     /// Response of that displacement.
     Eigen::VectorXd response;
+    /// The last iterate u^k as the pairs see it: the same, but where u^k is no field.
+    Eigen::VectorXd iterate;
     unsigned int steps = 0;
     StoppedBy stopped_by = StoppedBy::maximum_steps;
     /// ||u - u_theta||_A / ||u||_A is at most this (energy norm, same mesh); NaN where there is no bound.

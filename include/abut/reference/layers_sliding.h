@@ -42,9 +42,10 @@ namespace abut
   {
   public:
     /**
-     * Throws UserError for data that make no sense and for an approach whose contact would be narrower than
-     * 1e-4 or wider than 0.99 of the length; ComputationError when 256 coefficients do not resolve the
-     * pressure (layers thinner than about a hundredth of the contact).
+     * Solves for the contact: some hundredths of a second, ten seconds for the thinnest layers. Throws
+     * UserError for data that make no sense, layers thinner than 1/400 of the length, and an approach whose
+     * contact would be narrower than 1e-4 or wider than 0.99 of the length; ComputationError when 256
+     * coefficients do not resolve the pressure.
      */
     explicit LayersSliding(const LayersSlidingData &data);
 
@@ -59,7 +60,7 @@ namespace abut
     /// Strain energy of layer `body`, int_0^length p w_i/2 dx.
     double strain_energy(unsigned int body) const;
 
-    /// At a point (x, y) of the frame of layer `body`; a few microseconds a point, the same at any depth.
+    /// At a point (x, y) of the frame of layer `body`; about ten microseconds a point, the same at any depth.
     ExactStress stress(unsigned int body, const Vector2 &point) const;
     std::vector<ExactStress> stress(unsigned int body, const std::vector<Vector2> &points) const;
     /// sqrt(int xx^2 + yy^2 + zz^2 + 2 xy^2) over layer `body`.

@@ -9,11 +9,12 @@ namespace abut
   struct LayersSlidingData;
 
   /**
-   * Surface displacement of a layer at the points x, column by column: `modes` holds cosine amplitudes of
-   * pressures (row 0 the mean), `potential` their sums phi at x (SineBasis::potential).
+   * Surface displacement of a layer at the points x without that of the mean pressure, column by column:
+   * `modes` holds cosine amplitudes of pressures (row 0 the mean, unused), `potential` their sums phi at x
+   * (SineBasis::potential).
    */
-  Eigen::MatrixXd layer_displacement(const Layer &layer, double length, const Eigen::VectorXd &x,
-                                     const Eigen::MatrixXd &modes, const Eigen::MatrixXd &potential);
+  Eigen::MatrixXd wave_displacement(const Layer &layer, double length, const Eigen::VectorXd &x,
+                                    const Eigen::MatrixXd &modes, const Eigen::MatrixXd &potential);
 
   /// The contact pressure of LayersSliding; errors as there.
   ContactPressure solve_layers_sliding(const LayersSlidingData &data);

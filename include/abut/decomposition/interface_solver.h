@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/initial_guess.h>
+#include <abut/decomposition/scheme.h>
+
+#include <memory>
+
+namespace abut
+{
+  /**
+   * The scheme that a scene asks for, with the compliance and the relaxation that suit it, chosen once and
+   * used for every load.
+   */
+  class InterfaceSolver
+  {
+  public:
+    /// The problem must outlive the solver.
+    InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters);
+
+    /// Begins from `start` where given, else from the scene's initial guess.
+    SchemeResult solve(const InterfaceProblem::Loads &loads, const std::optional<Eigen::VectorXd> &start,
+                       const StepObserver &observer) const;
+
+    /// The limit of the iteration on the same mesh, to a bound of 1e-10: cheap where the compliance is a
+    /// matrix.
+    SchemeResult limit(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &start) const;
+
+    const InterfaceCompliance &compliance() const { return *compliance_; }
+
+  private:
+    const InterfaceProblem &problem_;
+    DecompositionParameters parameters_;
+    double relaxation_;
+    std::unique_ptr<InterfaceCompliance> compliance_;
+  };
+} // namespace abut

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/interface_solver.h>
+#include <abut/decomposition/neumann.h>
+#include <abut/decomposition/spectrum.h>
+
+namespace abut
+{
+  namespace
+  {
+    double choose_relaxation(const InterfaceProblem &problem, const DecompositionParameters &parameters)
+    {
+      if (parameters.relaxation)
+        return *parameters.relaxation;
+      return automatic_relaxation(
+          largest_eigenvalue(problem, *make_compliance(problem, ComplianceMode::solves, 0.)));
+    }
+  } // namespace
+
+  InterfaceSolver::InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters)
+      : problem_(problem), parameters_(parameters), relaxation_(choose_relaxation(problem, parameters)),
+        compliance_(make_compliance(problem, parameters.compliance,
+                                    expected_steps(relaxation_, parameters.tolerance)))
+  {}
+
+  SchemeResult InterfaceSolver::solve(const InterfaceProblem::Loads &loads,
+                                      const std::optional<Eigen::VectorXd> &start,
+                                      const StepObserver &observer) const
+  {
+    const InterfaceState state =
+        start ? respond_to(*compliance_, loads, *start)
+              : initial_guess(problem_, *compliance_, loads, parameters_.initial_guess);
+    return NeumannScheme(problem_, *compliance_, parameters_, relaxation_).solve(loads, state, observer);
+  }
+
+  SchemeResult InterfaceSolver::limit(const InterfaceProblem::Loads &loads,
+                                      const Eigen::VectorXd &start) const
+  {
+    DecompositionParameters to_the_end = parameters_;
+    to_the_end.stopping_rule = StoppingRule::bound;
+    to_the_end.tolerance = 1e-10;
+    to_the_end.maximum_steps = 1000000;
+    const double relaxation = automatic_relaxation(largest_eigenvalue(problem_, *compliance_));
+    return NeumannScheme(problem_, *compliance_, to_the_end, relaxation)
+        .solve(loads, respond_to(*compliance_, loads, start), {});
+  }
+} // namespace abut

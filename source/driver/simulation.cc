@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/contact/elastic_layer.h>
+#include <abut/decomposition/resultant_loading.h>
+#include <abut/driver/simulation.h>
+#include <abut/driver/true_errors.h>
+#include <abut/user_error.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+    using Clock = std::chrono::steady_clock;
+
+    /// Adds the time until its end of life to a number of seconds.
+    class Stopwatch
+    {
+    public:
+      explicit Stopwatch(double &seconds) : seconds_(seconds) {}
+      ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+      Stopwatch(const Stopwatch &) = delete;
+      Stopwatch &operator=(const Stopwatch &) = delete;
+
+    private:
+      double &seconds_;
+      Clock::time_point start_ = Clock::now();
+    };
+
+    std::vector<std::string> contact_sides(const Scene &scene, const std::string &body)
+    {
+      std::vector<std::string> sides;
+      for (const ContactDescription &contact : scene.contacts)
+        for (const Side &side : {contact.slave, contact.master})
+          if (side.body == body && std::find(sides.begin(), sides.end(), side.boundary) == sides.end())
+            sides.push_back(side.boundary);
+      return sides;
+    }
+
+    ContactBody contact_body(const Scene &scene, const std::vector<std::unique_ptr<Body>> &bodies,
+                             const Side &side)
+    {
+      const std::size_t index = scene.body_index(side.body);
+      const std::vector<std::string> sides = contact_sides(scene, side.body);
+      const auto position =
+          static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side.boundary) - sides.begin());
+      const Body &body = *bodies[index];
+      const double depth = body.contact_depth(position);
+      return {index, position, depth / body.material().young_modulus,
+              layer_compliance(body.material(), depth)};
+    }
+
+    double max_von_mises(const Body &body, const Eigen::VectorXd &displacement)
+    {
+      double largest = 0.;
+      visit_gradients(body.space(), body.space().quadrature(), displacement,
+                      [&](const Vector2 &, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
+                        largest = std::max(largest, body.material().stress(gradient).von_mises());
+                      });
+      return largest;
+    }
+
+    /// Distance of the reported state from the limit of the iteration.
+    LimitDistance distance_from(const SchemeResult &limit, const SchemeResult &reached,
+                                const InterfaceProblem &problem, const double energy_norm)
+    {
+      LimitDistance distance;
+      for (std::size_t a = 0; a < problem.bodies().size(); ++a)
+      {
+        const Eigen::VectorXd there = problem.normal_displacements(limit.response, a);
+        const double difference = (problem.normal_displacements(reached.iterate, a) - there).norm();
+        if (difference > 0.)
+          distance.displacement = std::max(distance.displacement, difference / there.norm());
+      }
+      const Index n = problem.n_pressures();
+      const double square =
+          (reached.traction - limit.traction).dot((reached.response - limit.response).head(n));
+      distance.energy = std::sqrt(std::max(square, 0.)) / energy_norm;
+      distance.peak_pressure = n > 0 ? limit.traction.maxCoeff() : 0.;
+      return distance;
+    }
+
+    std::vector<std::string> left_out(const Scene &scene, const Results &results)
+    {
+      std::vector<std::string> items = {"MPI and p4est (serial run)", "adaptation (uniform meshes)",
+                                        "boundary elements (no estimator asked for)",
+                                        "mortar coupling inside bodies (conforming meshes)"};
+      if (scene.contacts.empty())
+        items.emplace_back("contact (a scene without pairs)");
+      if (!results.compliance_is_dense)
+        items.emplace_back("dense interface compliance (solves are cheaper here)");
+      if (scene.reference.solution == ReferenceParameters::Solution::none)
+        items.emplace_back("true errors (no exact solution named)");
+      return items;
+    }
+  } // namespace
+
+  Simulation::Simulation(const Scene &scene) : scene_(scene)
+  {
+    const Stopwatch watch(mesh_time_);
+    use_one_blas_thread();
+    if (scene.reference.solution == ReferenceParameters::Solution::layers_sliding)
+      reference_.emplace(scene);
+    make_bodies();
+    make_pairs();
+  }
+
+  void Simulation::make_bodies()
+  {
+    bodies_.resize(scene_.bodies.size());
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      bodies_[a] = std::make_unique<Body>(scene_.bodies[a], contact_sides(scene_, scene_.bodies[a].name));
+  }
+
+  void Simulation::make_pairs()
+  {
+    for (const ContactDescription &contact : scene_.contacts)
+    {
+      const ContactBody slave = contact_body(scene_, bodies_, contact.slave);
+      const ContactBody master = contact_body(scene_, bodies_, contact.master);
+      pairs_.emplace_back(contact, scene_.bodies[slave.body].placement, slave, master,
+                          bodies_[slave.body]->contact_sides()[slave.side],
+                          bodies_[master.body]->contact_sides()[master.side]);
+    }
+  }
+
+  void Simulation::check_supports() const
+  {
+    for (const auto &body : bodies_)
+    {
+      if (body->free_rigid_motions().empty())
+        continue;
+      std::string motions;
+      for (const std::string &motion : body->free_rigid_motions())
+        motions += (motions.empty() ? "" : ", ") + motion;
+      if (body->contact_sides().empty())
+        throw UserError("Body " + body->name() + " is held by nothing against " + motions +
+                        ": give it supports in Body " + body->name() +
+                        "/Conditions (a displacement condition on a side or at a point)");
+      throw UserError("Body " + body->name() + " is held by contact alone against " + motions +
+                      ": this version needs supports on every body; add a displacement condition to Body " +
+                      body->name() + "/Conditions");
+    }
+  }
+
+  void Simulation::prepare(Times &times)
+  {
+    std::vector<Body::PreparationTimes> of_body(bodies_.size());
+    for_each_body(bodies_.size(), [&](const std::size_t a) { of_body[a] = bodies_[a]->prepare(); });
+    for (const Body::PreparationTimes &t : of_body) // side by side: the longest counts
+    {
+      times.assemble = std::max(times.assemble, t.assemble);
+      times.factorise = std::max(times.factorise, t.factorise);
+    }
+  }
+
+  const Body *Simulation::resultant_body() const
+  {
+    for (const auto &body : bodies_)
+      if (body->resultant())
+        return body.get();
+    return nullptr;
+  }
+
+  SchemeResult Simulation::solve_interface(const InterfaceProblem &problem, const InterfaceSolver &solver,
+                                           const StepObserver &observer, Results &results) const
+  {
+    std::optional<Eigen::VectorXd> start;
+    SchemeResult result;
+    double &delta = results.rigid_displacement;
+    const auto solve = [&] {
+      result = solver.solve(problem.loads(delta), start, observer);
+      if (!result.converged())
+        return;
+      start = result.traction;
+    };
+    const Body *const pressed = resultant_body();
+    if (pressed == nullptr)
+    {
+      solve();
+      return result;
+    }
+    const std::size_t index = scene_.body_index(pressed->name());
+    const auto force = [&](const double displacement) {
+      delta = displacement;
+      solve();
+      if (!result.converged())
+        throw ComputationError(result.message);
+      const Eigen::VectorXd contact = problem.contact_forces(index, result.traction);
+      return pressed->rigid_side_force(pressed->displacement(contact, delta), contact);
+    };
+    double guess = std::abs(pressed->resultant()->force) / pressed->material().young_modulus;
+    for (const ContactPair &pair : pairs_)
+      guess += std::max(0., pair.coupling().smallest_gap);
+    delta = find_rigid_displacement(force, pressed->resultant()->force, guess,
+                                    std::max(10. * scene_.decomposition.tolerance, 1e-10),
+                                    "Body " + pressed->name() + ", side " + pressed->resultant()->boundary);
+    return result;
+  }
+
+  BodyResult Simulation::body_result(const std::size_t index, const InterfaceProblem &problem,
+                                     const Results &results) const
+  {
+    const Body &body = *bodies_[index];
+    const Eigen::VectorXd contact = problem.contact_forces(index, results.iteration.traction);
+    BodyResult result;
+    result.body = &body;
+    result.displacement = body.displacement(contact, results.rigid_displacement);
+    result.energy = body.strain_energy(result.displacement);
+    result.max_von_mises = max_von_mises(body, result.displacement);
+    result.reactions = body.reactions(result.displacement, contact);
+    return result;
+  }
+
+  PairResult Simulation::pair_result(const std::size_t index, const InterfaceProblem &problem,
+                                     const SchemeResult &iteration) const
+  {
+    const ContactPair &pair = pairs_[index];
+    const Index offset = problem.pressure_offset(index), n = pair.n_multipliers();
+    const Eigen::VectorXd &weights = pair.coupling().weights;
+    PairResult result;
+    result.pair = &pair;
+    result.slave = &bodies_[pair.slave().body]->contact_sides()[pair.slave().side];
+    result.gaps = problem.gaps(iteration.response).segment(offset, n);
+    result.pressures = iteration.traction.segment(offset, n);
+    const Eigen::VectorXd forces = pair.coupling().slave.transpose() * result.pressures;
+    for (Index i = 0; i < forces.size(); i += 2)
+      result.force += forces.segment<2>(i);
+    result.normal_force = weights.dot(result.pressures);
+    result.max_pressure = result.pressures.maxCoeff();
+    result.contact_length = (result.gaps.array() < 0.).select(weights, 0.).sum();
+    result.min_gap = result.gaps.minCoeff();
+    result.max_penetration = std::max(0., -result.min_gap);
+    return result;
+  }
+
+  Results Simulation::run(const StepObserver &observer)
+  {
+    check_supports();
+    Results results;
+    results.scene = &scene_;
+    results.times.mesh = mesh_time_;
+    prepare(results.times);
+
+    std::vector<const TraceBody *> trace_bodies;
+    for (const auto &body : bodies_)
+      trace_bodies.push_back(body.get());
+    const InterfaceProblem problem(trace_bodies, pairs_);
+    std::unique_ptr<InterfaceSolver> solver;
+    {
+      const Stopwatch watch(results.times.solve);
+      solver = std::make_unique<InterfaceSolver>(problem, scene_.decomposition);
+    }
+    results.compliance_is_dense = solver->compliance().is_dense();
+    {
+      const Stopwatch watch(results.times.interface);
+      results.iteration = solve_interface(problem, *solver, observer, results);
+    }
+    {
+      const Stopwatch watch(results.times.solve);
+      results.bodies.resize(bodies_.size());
+      for_each_body(bodies_.size(),
+                    [&](const std::size_t a) { results.bodies[a] = body_result(a, problem, results); });
+    }
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      results.pairs.push_back(pair_result(i, problem, results.iteration));
+
+    if (results.iteration.stopped_by == StoppedBy::increment && results.compliance_is_dense)
+    {
+      double energy = 0.;
+      for (const BodyResult &body : results.bodies)
+        energy += 2. * body.energy;
+      const SchemeResult limit =
+          solver->limit(problem.loads(results.rigid_displacement), results.iteration.traction);
+      results.limit_distance = distance_from(limit, results.iteration, problem, std::sqrt(energy));
+    }
+    if (reference_)
+      results.true_errors = true_errors(*reference_, results);
+    results.left_out = left_out(scene_, results);
+    return results;
+  }
+} // namespace abut

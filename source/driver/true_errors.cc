@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/driver/true_errors.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    /// Sums of squares over the bodies.
+    struct Squares
+    {
+      double energy_error = 0., energy = 0., stress_error = 0., stress = 0.;
+
+      void add(const Material &material, const Stress &computed, const Stress &exact, const double weight)
+      {
+        const Stress error{computed.xx - exact.xx, computed.yy - exact.yy, computed.xy - exact.xy,
+                           computed.zz - exact.zz};
+        energy_error += weight * energy_density(material, error);
+        energy += weight * energy_density(material, exact);
+        stress_error += weight * square(error);
+        stress += weight * square(exact);
+      }
+
+      static double square(const Stress &s)
+      {
+        return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2. * s.xy * s.xy;
+      }
+
+      /// sigma : C^-1 sigma, plane strain.
+      static double energy_density(const Material &material, const Stress &s)
+      {
+        const double trace = s.xx + s.yy + s.zz, nu = material.poisson_ratio;
+        return ((1. + nu) * square(s) - nu * trace * trace) / material.young_modulus;
+      }
+    };
+
+    void add_body(const LayersReference &reference, const std::size_t index, const BodyResult &result,
+                  Squares &squares)
+    {
+      const Space &space = result.body->space();
+      dealii::Quadrature<2> quadrature;
+      if (space.mesh().cell_type == CellType::triangles)
+        quadrature = dealii::QGaussSimplex<2>(space.degree() + 2);
+      else
+        quadrature = dealii::QGauss<2>(space.degree() + 2);
+      visit_gradients(
+          space, quadrature, result.displacement,
+          [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
+            const Material material = result.body->material();
+            const Placement &placement = result.body->description().placement;
+            Eigen::Matrix2d turn;
+            turn << placement.direction_to_world(Vector2::UnitX()),
+                placement.direction_to_world(Vector2::UnitY());
+            squares.add(material, material.stress(turn.transpose() * gradient * turn),
+                        reference.stress(index, placement.point_to_own(point)), weight);
+          });
+    }
+
+    double pressure_error(const LayersReference &reference, const PairResult &pair,
+                          const Placement &placement)
+    {
+      const GaussRule rule(8);
+      double error = 0., norm = 0.;
+      for (const Segment &segment : pair.slave->segments())
+        for (Eigen::Index q = 0; q < rule.points.size(); ++q)
+        {
+          const double s = rule.points[q];
+          const Eigen::VectorXd values = pair.slave->basis().values(s);
+          double computed = 0.;
+          for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+            computed += values[static_cast<Eigen::Index>(i)] * pair.pressures[segment.nodes[i]];
+          const double exact = reference.pressure(placement.point_to_own(pair.slave->point(segment, s)));
+          const double weight = rule.weights[q] * segment.length;
+          error += weight * (computed - exact) * (computed - exact);
+          norm += weight * exact * exact;
+        }
+      return std::sqrt(error / norm);
+    }
+  } // namespace
+
+  TrueErrors true_errors(const LayersReference &reference, const Results &results)
+  {
+    Squares squares;
+    for (std::size_t a = 0; a < results.bodies.size(); ++a)
+      add_body(reference, a, results.bodies[a], squares);
+    const PairResult &pair = results.pairs.front();
+    const Placement &slave = results.scene->bodies[pair.pair->slave().body].placement;
+    TrueErrors errors;
+    errors.energy = std::sqrt(squares.energy_error / squares.energy);
+    errors.stress = std::sqrt(squares.stress_error / squares.stress);
+    errors.pressure = pressure_error(reference, pair, slave);
+    const double force = slave.length_to_world(reference.force());
+    errors.force = std::abs(pair.normal_force - force) / force;
+    return errors;
+  }
+} // namespace abut
