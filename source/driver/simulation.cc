@@ -127,6 +127,14 @@ namespace abut
     }
   }
 
+  Counts Simulation::counts() const
+  {
+    Counts sum;
+    for (const auto &body : bodies_)
+      sum = sum + count(body->space());
+    return sum;
+  }
+
   void Simulation::check_supports() const
   {
     for (const auto &body : bodies_)

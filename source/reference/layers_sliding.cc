@@ -52,10 +52,9 @@ namespace abut
   } // namespace
 
   LayersSliding::LayersSliding(const LayersSlidingData &data)
-      : data_(data),
-        pressure_(solve_layers_sliding(data)), modes_{
-                                                   pressure_.modes(data.layers[0].n_thin_modes(data.length)),
-                                                   pressure_.modes(data.layers[1].n_thin_modes(data.length))}
+      : data_(data), pressure_(solve_layers_sliding(data)),
+        modes_{{pressure_.modes(data.layers[0].n_thin_modes(data.length)),
+                pressure_.modes(data.layers[1].n_thin_modes(data.length))}}
   {}
 
   double LayersSliding::displacement(const unsigned int body, const double x) const

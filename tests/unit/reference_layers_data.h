@@ -8,11 +8,11 @@ namespace abut
   inline LayersSlidingData equal_layers()
   {
     const Layer steel{2.1e5, 0.3, 1.};
-    return {{steel, steel}, 4., 1e-3, 1.366e-3};
+    return {{{steel, steel}}, 4., 1e-3, 1.366e-3};
   }
 
   inline LayersSlidingData different_layers()
   {
-    return {{Layer{2.1e5, 0.3, 1.}, Layer{0.7e5, 0.42, 1.7}}, 3.3, 2e-3, 2.2e-3};
+    return {{{{2.1e5, 0.3, 1.}, {0.7e5, 0.42, 1.7}}}, 3.3, 2e-3, 2.2e-3};
   }
 } // namespace abut

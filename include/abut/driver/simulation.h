@@ -3,6 +3,7 @@
 
 #include <abut/decomposition/interface_solver.h>
 #include <abut/driver/layers_reference.h>
+#include <abut/report/counts.h>
 #include <abut/report/results.h>
 
 #include <iosfwd>
@@ -28,6 +29,9 @@ namespace abut
 
     /// Throws ComputationError. The results refer to this simulation.
     Results run(const StepObserver &observer);
+
+    /// Cells and unknowns of all bodies together.
+    Counts counts() const;
 
     const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
     const std::vector<ContactPair> &pairs() const { return pairs_; }

@@ -35,8 +35,12 @@ namespace abut
    * Elasticity, art. 28). In each part
    *   sigma_r = A - B/r^2,  sigma_hoop = A + B/r^2,  u_r = (1+nu)/E ((1-2nu) A r + B/r),
    * with sigma_r = -p at r = R and 0 at the free radius. The parts meet when u_o(R) - u_i(R) + theta p = D,
-   * hence p = D/(compliance + theta), compliance = R [ (1+nu_o)/E_o (R_o^2 + (1-2nu_o)R^2)/(R_o^2 - R^2)
+   * hence p = D/(compliance + theta) with
+   *
+   *   compliance = R [ (1+nu_o)/E_o (R_o^2 + (1-2nu_o)R^2)/(R_o^2 - R^2)
+   *
    *                  + (1+nu_i)/E_i (R_i^2 + (1-2nu_i)R^2)/(R^2 - R_i^2) ].
+   *
    * The pressure p >= 0 and the stresses are forces per area.
    */
   class ShrinkFit

@@ -23,11 +23,15 @@ namespace abut
   /**
    * Frictionless contact of two elastic layers (plane strain), each on a frictionless rigid face, with
    * rollers at the ends x = 0 and x = length; the initial gap is r0 x^2 and the approach Delta of the faces
-   * closes it on [0, a]. Mirror images in the rollers turn every quantity into a cosine series. With lambda_k
-   * = k pi/length and p = sum_k p_k cos(lambda_k x), the surface of layer i gives way by w_i(x) = p_0
-   * H_i(1+nu_i)(1-2nu_i)/(E_i(1-nu_i))
+   * closes it on [0, a]. Mirror images in the rollers turn every quantity into a cosine series. With
+   * lambda_k = k pi/length and p = sum_k p_k cos(lambda_k x), the surface of layer i gives way by
+   *
+   *   w_i(x) = p_0 H_i(1+nu_i)(1-2nu_i)/(E_i(1-nu_i))
+   *
    *          + sum_{k>=1} (2(1-nu_i^2)/E_i) p_k L(lambda_k H_i)/lambda_k cos(lambda_k x),
+   *
    *   L(u) = (cosh 2u - 1)/(sinh 2u + 2u),
+   *
    * and w_1 + w_2 = Delta - r0 x^2 holds on [0, a] with p(a) = 0, p = 0 beyond. The pressure is expanded in
    * SineBasis, collocated at Chebyshev points; the half-plane part of every series is summed in closed form,
    * what the rigid faces change converges exponentially. (Compliance of a layer: Johnson, Contact Mechanics,

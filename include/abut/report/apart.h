@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/report/results.h>
+
+#include <vector>
+
+namespace abut
+{
+  using Polyline = std::vector<Vector2>;
+
+  /// The nodes of a side with the displacements of its body times `factor`.
+  Polyline deformed_nodes(const Trace &side, const Eigen::VectorXd &displacement, double factor);
+
+  /**
+   * For every body the vector by which it is to be drawn elsewhere: zero unless a pair, drawn with the
+   * exaggerated displacements, overlaps by more than a hundredth of the scene's size, or stands apart by as
+   * much in spite of contact. Then one body is moved along the mean normal of the slave side until the
+   * smallest distance in that direction is two hundredths. Pairs that close a ring of bodies are not looked
+   * at.
+   */
+  Polyline shifts_apart(const Results &results, double factor, double scene_size);
+} // namespace abut

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/report/results.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace abut
+{
+  /// The tables that end a run: bodies, contacts, how the iteration stopped and what its result is worth,
+  /// times, what was left out, and where the files are.
+  void print_results(std::ostream &out, const Results &results, const std::string &directory,
+                     double total_seconds);
+} // namespace abut

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/report/apart.h>
+
+#include <vector>
+
+namespace abut
+{
+  /// A body as it is drawn.
+  struct DrawnBody
+  {
+    std::vector<Polyline> cells;   ///< outlines, enough points for curved edges
+    std::vector<double> von_mises; ///< mean over each cell
+  };
+
+  /// A slave side as it is drawn, with its contact pressure.
+  struct DrawnContact
+  {
+    Polyline nodes;   ///< by arc length
+    Polyline normals; ///< outward, undeformed
+    std::vector<double> pressures;
+  };
+
+  /// All bodies with their displacements exaggerated by one factor.
+  struct DrawnScene
+  {
+    std::vector<DrawnBody> bodies;
+    std::vector<DrawnContact> contacts;
+    double size = 0.; ///< diagonal of the box around the undeformed bodies
+    double factor = 1.;
+    bool moved_apart = false; ///< some body is drawn elsewhere
+  };
+
+  /**
+   * The deformed scene, displacements times `factor` (1, 2 or 5 times a power of ten) such that the bodies'
+   * largest displacement relative to their mean is at most, and at least 2/5 of, a twentieth of the scene's
+   * size.
+   *
+   * Initial gaps are drawn at their size, and those given as an expression not at all; bodies that would
+   * therefore overlap or stand apart wrongly are drawn elsewhere (see `shifts_apart`).
+   */
+  DrawnScene deformed_scene(const Results &results);
+} // namespace abut

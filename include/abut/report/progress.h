@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/scheme.h>
+
+#include <chrono>
+#include <iosfwd>
+#include <optional>
+
+namespace abut
+{
+  /**
+   * One line that tells how the steps go. On a terminal it is rewritten in place, at most ten times a second;
+   * elsewhere only the steps 1, 2, 5, 10, 20, 50, ... get a line each. The last step is always shown. Quiet:
+   * nothing at all.
+   */
+  class ProgressLine
+  {
+  public:
+    /// `out` must outlive the object.
+    ProgressLine(std::ostream &out, bool terminal, bool quiet);
+
+    void step(const StepRecord &record);
+    /// Shows the last step if it is not there yet, and ends the line.
+    void finish();
+
+  private:
+    bool is_due(const StepRecord &record) const;
+    void show(const StepRecord &record);
+
+    std::ostream &out_;
+    bool terminal_, quiet_;
+    std::optional<StepRecord> waiting_; ///< the last step, while not shown
+    bool line_is_open_ = false;
+    std::chrono::steady_clock::time_point last_shown_;
+  };
+} // namespace abut

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/elasticity/body.h>
+
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /**
+   * A body's solution for ParaView (VTU, zlib), on the undeformed shape: the vector `displacement` ("Warp By
+   * Vector" shows the deformed shape at any scale), `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz` and
+   * `von_mises` from the gradient in each cell (discontinuous, tension positive), and the refinement `level`
+   * of the cells. Cells of degree p are cut into p x p, which follow curved sides.
+   */
+  std::string vtu(const Body &body, const Eigen::VectorXd &displacement);
+
+  /// solution.pvd: names the files of all bodies as parts of one picture.
+  std::string pvd(const std::vector<std::string> &vtu_files);
+} // namespace abut

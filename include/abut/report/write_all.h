@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/report/history.h>
+#include <abut/report/results.h>
+
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /// What `write_all` can tell only afterwards.
+  struct Written
+  {
+    double seconds = 0.;
+    std::vector<std::string> left_out; ///< files that were not written, and why
+  };
+
+  /**
+   * Writes all files of a run into an existing folder (see `make_output_directory`), each whole or not at
+   * all. An old summary.json goes first and the new one comes last: where it is, the rest is complete and
+   * belongs to it. It counts the time of the writing to that of the results and to `total_seconds`. Throws
+   * UserError.
+   */
+  Written write_all(const Results &results, const History &history, const std::string &directory,
+                    double total_seconds);
+} // namespace abut

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/console.h>
+#include <abut/report/counts.h>
+#include <abut/report/numbers.h>
+#include <abut/report/summary.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace abut
+{
+  namespace
+  {
+    using Table = std::vector<std::vector<std::string>>;
+
+    std::string percent(const double share)
+    {
+      return short_number(100. * share, 2) + " %";
+    }
+
+    void print_bodies(std::ostream &out, const Results &results)
+    {
+      Table table = {{"body", "cells", "unknowns", "strain energy", "max von Mises"}};
+      for (const BodyResult &result : results.bodies)
+      {
+        const Counts counts = count(result.body->space());
+        table.push_back({result.body->name(), std::to_string(counts.cells), std::to_string(counts.dofs),
+                         short_number(result.energy, 6), short_number(result.max_von_mises)});
+      }
+      out << aligned(table);
+    }
+
+    void print_contacts(std::ostream &out, const Results &results)
+    {
+      if (results.pairs.empty())
+        return;
+      Table table = {{"contact", "normal force", "peak pressure", "contact length", "penetration"}};
+      for (const PairResult &result : results.pairs)
+        table.push_back({result.pair->name(), short_number(result.normal_force, 6),
+                         short_number(result.max_pressure, 5), short_number(result.contact_length),
+                         short_number(result.max_penetration, 3)});
+      out << '\n' << aligned(table);
+    }
+
+    /// Why the iteration ended.
+    std::string stop_text(const SchemeResult &iteration)
+    {
+      switch (iteration.stopped_by)
+      {
+      case StoppedBy::bound:
+        return "by the guaranteed bound";
+      case StoppedBy::increment:
+        return "because the contact displacement changed by only " + short_number(iteration.increment, 3);
+      case StoppedBy::maximum_steps:
+        return "by the maximum number of steps";
+      case StoppedBy::stalled:
+        return "because it no longer approached a limit";
+      }
+      return "";
+    }
+
+    void print_iteration(std::ostream &out, const Results &results)
+    {
+      const SchemeResult &iteration = results.iteration;
+      out << "\n  Stopped after " << iteration.steps << (iteration.steps == 1 ? " step " : " steps ")
+          << stop_text(iteration) << ", gamma = " << short_number(iteration.relaxation, 3) << ".\n";
+      if (std::isfinite(iteration.iteration_error))
+        out << "  Iteration error (energy norm) at most " << short_number(iteration.iteration_error, 3)
+            << " of the solution.\n";
+      if (const auto &limit = results.limit_distance)
+        out << "  What that is worth: contact displacement " << percent(limit->displacement)
+            << " from the limit of the iteration, energy norm " << percent(limit->energy)
+            << "; peak pressure there " << short_number(limit->peak_pressure, 5) << ".\n";
+      if (!iteration.converged())
+        out << "  NOT CONVERGED: " << iteration.message << '\n';
+    }
+
+    void print_true_errors(std::ostream &out, const TrueErrors &errors)
+    {
+      Table table;
+      const auto row = [&](const std::string &name, const std::optional<double> &error) {
+        if (error)
+          table.push_back({name, percent(*error)});
+      };
+      row("energy norm", errors.energy);
+      row("stress", errors.stress);
+      row("pressure", errors.pressure);
+      row("force", errors.force);
+      if (!table.empty())
+        out << "\n  Errors against the exact solution\n" << aligned(table);
+    }
+
+    void print_times(std::ostream &out, const Times &times, const double total)
+    {
+      const auto seconds = [](const double value) { return short_number(value, 3); };
+      out << '\n'
+          << aligned(
+                 {{"time in s", "total", "mesh", "assemble", "factorise", "solve", "interface", "output"},
+                  {"", seconds(total), seconds(times.mesh), seconds(times.assemble), seconds(times.factorise),
+                   seconds(times.solve), seconds(times.interface), seconds(times.output)}});
+    }
+  } // namespace
+
+  void print_results(std::ostream &out, const Results &results, const std::string &directory,
+                     const double total_seconds)
+  {
+    print_bodies(out, results);
+    print_contacts(out, results);
+    print_iteration(out, results);
+    print_true_errors(out, results.true_errors);
+    print_times(out, results.times, total_seconds);
+    if (!results.left_out.empty())
+    {
+      out << "\n  Left out, since this scene does not need it:";
+      for (std::size_t i = 0; i < results.left_out.size(); ++i)
+        out << (i == 0 ? " " : ", ") << results.left_out[i];
+      out << '\n';
+    }
+    out << "\n  Results are in " << directory << '\n';
+  }
+} // namespace abut

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/colour_map.h>
+#include <abut/report/numbers.h>
+#include <abut/report/picture.h>
+#include <abut/report/svg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    constexpr unsigned int most_cells = 40000;
+    // Pixels.
+    constexpr double page_width = 1000., largest_height = 700., margin = 24., caption_height = 64.,
+                     bar_width = 400., bar_height = 14., legend_height = 76.;
+    constexpr double comb_share = .1; // height of the largest pressure over the scene's size
+    constexpr int n_ticks = 6;        // the smallest and the largest value and four between
+
+    struct Box
+    {
+      Vector2 low = Vector2::Constant(std::numeric_limits<double>::infinity());
+      Vector2 high = -low;
+
+      void include(const Polyline &points)
+      {
+        for (const Vector2 &point : points)
+        {
+          low = low.cwiseMin(point);
+          high = high.cwiseMax(point);
+        }
+      }
+      Vector2 size() const { return high - low; }
+    };
+
+    /// A stretch of a slave side under pressure.
+    struct Comb
+    {
+      Polyline base, tips;
+    };
+
+    std::vector<Comb> combs_of(const DrawnScene &scene)
+    {
+      double largest = 0.;
+      for (const DrawnContact &contact : scene.contacts)
+        for (const double pressure : contact.pressures)
+          largest = std::max(largest, pressure);
+      std::vector<Comb> combs;
+      for (const DrawnContact &contact : scene.contacts)
+      {
+        const std::size_t n = contact.nodes.size();
+        const auto pressed = [&](const std::size_t i) { return i < n && contact.pressures[i] > 0.; };
+        bool open = false;
+        for (std::size_t i = 0; i < n; ++i)
+        {
+          const bool part = pressed(i) || pressed(i + 1) || (i > 0 && pressed(i - 1));
+          if (part && !open)
+            combs.emplace_back();
+          open = part;
+          if (!part)
+            continue;
+          const double height = comb_share * scene.size * contact.pressures[i] / largest;
+          combs.back().base.push_back(contact.nodes[i]);
+          combs.back().tips.push_back(contact.nodes[i] + height * contact.normals[i]);
+        }
+      }
+      return combs;
+    }
+
+    struct Range
+    {
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+    };
+
+    Range stress_range(const DrawnScene &scene)
+    {
+      Range range;
+      for (const DrawnBody &body : scene.bodies)
+        for (const double value : body.von_mises)
+        {
+          range.low = std::min(range.low, value);
+          range.high = std::max(range.high, value);
+        }
+      return range;
+    }
+
+    void write_cells(std::ostream &out, const DrawnScene &scene, const Range &range, const PageFrame &frame,
+                     const Box &box)
+    {
+      std::size_t n_cells = 0;
+      for (const DrawnBody &body : scene.bodies)
+        n_cells += body.cells.size();
+      const double cell_width = frame.scale * std::sqrt(box.size().prod() / static_cast<double>(n_cells));
+      out << "<g stroke=\"#000\" stroke-opacity=\"0.4\" stroke-linejoin=\"round\" stroke-width=\""
+          << short_number(std::clamp(.04 * cell_width, .15, .8), 3) << "\">\n";
+      for (const DrawnBody &body : scene.bodies)
+        for (std::size_t i = 0; i < body.cells.size(); ++i)
+        {
+          const double share =
+              range.high > range.low ? (body.von_mises[i] - range.low) / (range.high - range.low) : 0.;
+          write_path(out, body.cells[i], frame, true, "fill=\"" + viridis(share) + "\"");
+        }
+      out << "</g>\n";
+    }
+
+    void write_combs(std::ostream &out, const std::vector<Comb> &combs, const PageFrame &frame)
+    {
+      for (const Comb &comb : combs)
+      {
+        Polyline area = comb.base;
+        area.insert(area.end(), comb.tips.rbegin(), comb.tips.rend());
+        write_path(out, area, frame, true, "fill=\"#fff\" fill-opacity=\"0.35\"");
+        const std::size_t every = comb.base.size() / 50 + 1;
+        for (std::size_t i = 0; i < comb.base.size(); i += every)
+          write_path(out, {comb.base[i], comb.tips[i]}, frame, false,
+                     "stroke=\"#d7191c\" stroke-width=\"0.7\"");
+        write_path(out, comb.tips, frame, false,
+                   "fill=\"none\" stroke=\"#d7191c\" stroke-width=\"1.8\" stroke-linejoin=\"round\"");
+      }
+    }
+
+    void write_colour_bar(std::ostream &out, const Range &range, const Vector2 &corner)
+    {
+      out << "<defs><linearGradient id=\"stress\">\n";
+      for (int i = 0; i <= 20; ++i)
+        out << "<stop offset=\"" << 5 * i << "%\" stop-color=\"" << viridis(.05 * i) << "\"/>\n";
+      out << "</linearGradient></defs>\n<rect x=\"" << corner.x() << "\" y=\"" << corner.y() << "\" width=\""
+          << bar_width << "\" height=\"" << bar_height << "\" fill=\"url(#stress)\"/>\n";
+      for (int i = 0; i < n_ticks; ++i)
+      {
+        const double share = static_cast<double>(i) / (n_ticks - 1);
+        const Vector2 place = corner + Vector2(share * bar_width, bar_height);
+        out << "<path stroke=\"#333\" d=\"M" << place.x() << ' ' << place.y() << "v5\"/>\n";
+        write_text(out, place + Vector2(0., 19.), Anchor::middle,
+                   short_number(range.low + share * (range.high - range.low), 3));
+      }
+      write_text(out, corner + Vector2(0., -7.), Anchor::start, "von Mises stress, mean of each cell");
+    }
+
+    void write_pressure_legend(std::ostream &out, const Results &results, const Vector2 &corner)
+    {
+      double largest = 0.;
+      for (const PairResult &pair : results.pairs)
+        largest = std::max(largest, pair.max_pressure);
+      if (largest == 0.)
+        return;
+      out << "<path stroke=\"#d7191c\" stroke-width=\"1.8\" d=\"M" << corner.x() << ' '
+          << corner.y() + .5 * bar_height << "h40\"/>\n";
+      write_text(out, corner + Vector2(50., bar_height - 2.), Anchor::start,
+                 "contact pressure, at most " + short_number(largest));
+    }
+
+    void write_caption(std::ostream &out, const Results &results, const DrawnScene &scene)
+    {
+      out << "<g font-size=\"17\" font-weight=\"bold\">\n";
+      write_text(out, Vector2(margin, margin + 8.), Anchor::start,
+                 std::filesystem::path(results.scene->file).filename().string());
+      out << "</g>\n";
+      write_text(
+          out, Vector2(margin, margin + 30.), Anchor::start,
+          "deformed, displacements times " + short_number(scene.factor, 6) +
+              (scene.moved_apart ? "; bodies drawn apart, since initial gaps are not exaggerated" : ""));
+    }
+  } // namespace
+
+  std::string picture(const Results &results)
+  {
+    std::size_t n_cells = 0;
+    for (const BodyResult &body : results.bodies)
+      n_cells += body.body->space().mesh().triangulation.n_active_cells();
+    if (n_cells > most_cells)
+      return "";
+
+    const DrawnScene scene = deformed_scene(results);
+    const std::vector<Comb> combs = combs_of(scene);
+    Box box;
+    for (const DrawnBody &body : scene.bodies)
+      for (const Polyline &cell : body.cells)
+        box.include(cell);
+    for (const Comb &comb : combs)
+      box.include(comb.tips);
+
+    PageFrame frame;
+    frame.scale = std::min((page_width - 2. * margin) / box.size().x(), largest_height / box.size().y());
+    const double height = frame.scale * box.size().y();
+    frame.origin = Vector2(.5 * (page_width - frame.scale * (box.low.x() + box.high.x())),
+                           caption_height + frame.scale * box.high.y());
+    const double page_height = caption_height + height + legend_height;
+    const double legend_top = caption_height + height + 34.;
+
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(8);
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+           "viewBox=\"0 0 "
+        << page_width << ' ' << page_height << "\" width=\"" << page_width << "\" height=\"" << page_height
+        << "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n"
+        << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    write_caption(out, results, scene);
+    const Range range = stress_range(scene);
+    write_cells(out, scene, range, frame, box);
+    write_combs(out, combs, frame);
+    write_colour_bar(out, range, Vector2(margin + 10., legend_top));
+    write_pressure_legend(out, results, Vector2(margin + 10. + bar_width + 60., legend_top));
+    out << "</svg>\n";
+    return out.str();
+  }
+} // namespace abut

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/mesh/quality.h>
+#include <abut/report/counts.h>
+#include <abut/report/summary.h>
+
+#include <deal.II/base/config.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cholmod.h>
+#include <cmath>
+#include <mpi.h>
+#include <p4est_base.h>
+#include <sys/resource.h>
+
+namespace abut
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    Json number(const double value)
+    {
+      return std::isfinite(value) ? Json(value) : Json(nullptr);
+    }
+
+    Json number(const std::optional<double> &value)
+    {
+      return value ? number(*value) : Json(nullptr);
+    }
+
+    Json components(const Vector2 &value)
+    {
+      return Json::array({number(value.x()), number(value.y())});
+    }
+
+    Json body_summary(const BodyResult &result)
+    {
+      const Space &space = result.body->space();
+      const dealii::Triangulation<2> &mesh = space.mesh().triangulation;
+      const Counts counts = count(space);
+      const MeshQuality quality = mesh_quality(mesh);
+      int min_level = static_cast<int>(mesh.n_levels()) - 1;
+      for (const auto &cell : mesh.active_cell_iterators())
+        min_level = std::min(min_level, cell->level());
+
+      Json reactions = Json::object();
+      for (const auto &[boundary, force] : result.reactions.by_boundary)
+        reactions[boundary] = components(force);
+      return {{"name", result.body->name()},
+              {"cells", counts.cells},
+              {"dofs", counts.dofs},
+              {"boundary_dofs", counts.boundary_dofs},
+              {"energy", number(result.energy)},
+              {"max_von_mises", number(result.max_von_mises)},
+              {"min_level", min_level},
+              {"max_level", mesh.n_levels() - 1},
+              {"h_max", number(quality.h_max)},
+              {"regularity", number(quality.regularity)},
+              {"reactions", reactions},
+              {"equilibrium_residual", number(result.reactions.equilibrium_residual)}};
+    }
+
+    Json contact_summary(const PairResult &result)
+    {
+      return {{"name", result.pair->name()},
+              {"force", components(result.force)},
+              {"normal_force", number(result.normal_force)},
+              {"max_pressure", number(result.max_pressure)},
+              {"contact_length", number(result.contact_length)},
+              {"max_penetration", number(result.max_penetration)},
+              {"min_gap", number(result.min_gap)},
+              {"penalty", number(result.pair->penalty())},
+              {"coverage", number(result.pair->coverage())}};
+    }
+
+    Json error_summary(const SchemeResult &iteration)
+    {
+      return {{"discretisation", nullptr},
+              {"penalty", nullptr},
+              {"iteration", number(iteration.iteration_error)},
+              {"total", nullptr}};
+    }
+
+    Json true_error_summary(const TrueErrors &errors)
+    {
+      return {{"energy", number(errors.energy)},
+              {"stress", number(errors.stress)},
+              {"pressure", number(errors.pressure)},
+              {"force", number(errors.force)}};
+    }
+
+    /// Displacement of the scene's side with a given resultant, if it has one.
+    Json rigid_displacement(const Results &results)
+    {
+      const bool given =
+          std::any_of(results.bodies.begin(), results.bodies.end(),
+                      [](const BodyResult &body) { return body.body->resultant().has_value(); });
+      return given ? number(results.rigid_displacement) : Json(nullptr);
+    }
+
+    Json iteration_summary(const Results &results)
+    {
+      Json distance;
+      if (const auto &limit = results.limit_distance)
+        distance = {{"displacement", number(limit->displacement)},
+                    {"energy", number(limit->energy)},
+                    {"peak_pressure", number(limit->peak_pressure)}};
+      return {{"increment", number(results.iteration.increment)},
+              {"limit_distance", distance},
+              {"rigid_displacement", rigid_displacement(results)},
+              {"dense_compliance", results.compliance_is_dense}};
+    }
+
+    Json time_summary(const Times &times, const double total)
+    {
+      return {{"total", number(total)},
+              {"mesh", number(times.mesh)},
+              {"assemble", number(times.assemble)},
+              {"factorise", number(times.factorise)},
+              {"solve", number(times.solve)},
+              {"interface", number(times.interface)},
+              {"bem", 0.},
+              {"estimate", 0.},
+              {"adapt", 0.},
+              {"output", number(times.output)}};
+    }
+
+    double peak_memory_mb()
+    {
+      rusage usage;
+      getrusage(RUSAGE_SELF, &usage);
+      return static_cast<double>(usage.ru_maxrss) / 1024.; // KiB on Linux
+    }
+
+    bool mpi_is_initialised()
+    {
+      int initialised = 0;
+      MPI_Initialized(&initialised);
+      return initialised != 0;
+    }
+
+    Json counter_summary(const Results &results)
+    {
+      Json bodies = Json::object();
+      for (const BodyResult &result : results.bodies)
+      {
+        const BodyCounters &counters = result.body->counters();
+        bodies[result.body->name()] = {{"meshes", counters.meshes},
+                                       {"assemblies", counters.assemblies},
+                                       {"factorisations", counters.factorisations},
+                                       {"solves", counters.solves}};
+      }
+      return {{"bodies", bodies},
+              {"mpi_initialised", mpi_is_initialised()},
+              {"p4est_initialised", p4est_package_id >= 0}};
+    }
+
+    Json version_summary()
+    {
+      const auto dotted = [](const int major, const int minor, const int patch) {
+        return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+      };
+      int cholmod[3];
+      cholmod_version(cholmod);
+      return {{"abut", ABUT_VERSION},
+              {"deal.II", DEAL_II_PACKAGE_VERSION},
+              {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+              {"CHOLMOD", dotted(cholmod[0], cholmod[1], cholmod[2])}};
+    }
+  } // namespace
+
+  std::string to_string(const StoppedBy reason)
+  {
+    switch (reason)
+    {
+    case StoppedBy::bound:
+      return "bound";
+    case StoppedBy::increment:
+      return "increment";
+    case StoppedBy::maximum_steps:
+      return "maximum steps";
+    case StoppedBy::stalled:
+      return "stalled";
+    }
+    return "unknown";
+  }
+
+  nlohmann::ordered_json summary(const Results &results, const double total_seconds)
+  {
+    Json bodies = Json::array(), contacts = Json::array();
+    for (const BodyResult &body : results.bodies)
+      bodies.push_back(body_summary(body));
+    for (const PairResult &pair : results.pairs)
+      contacts.push_back(contact_summary(pair));
+
+    const SchemeResult &iteration = results.iteration;
+    Json json;
+    json["status"] = iteration.converged() ? "converged" : "not converged";
+    json["stopped_by"] = to_string(iteration.stopped_by);
+    json["message"] = iteration.message;
+    json["passes"] = 1;
+    json["steps"] = iteration.steps;
+    json["relaxation"] = number(iteration.relaxation);
+    json["bodies"] = bodies;
+    json["contacts"] = contacts;
+    json["error"] = error_summary(iteration);
+    json["true_error"] = true_error_summary(results.true_errors);
+    json["iteration"] = iteration_summary(results);
+    json["time_s"] = time_summary(results.times, total_seconds);
+    json["peak_memory_mb"] = peak_memory_mb();
+    json["counters"] = counter_summary(results);
+    json["versions"] = version_summary();
+    json["left_out"] = results.left_out;
+    return json;
+  }
+} // namespace abut

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/vtu.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    class StressPostprocessor : public dealii::DataPostprocessor<2>
+    {
+    public:
+      explicit StressPostprocessor(const Material &material) : material_(material) {}
+
+      void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<2> &inputs,
+                                 std::vector<dealii::Vector<double>> &quantities) const override
+      {
+        for (std::size_t point = 0; point < quantities.size(); ++point)
+        {
+          const auto &gradients = inputs.solution_gradients[point];
+          Eigen::Matrix2d gradient;
+          gradient << gradients[0][0], gradients[0][1], gradients[1][0], gradients[1][1];
+          const Stress stress = material_.stress(gradient);
+          quantities[point][0] = stress.xx;
+          quantities[point][1] = stress.yy;
+          quantities[point][2] = stress.xy;
+          quantities[point][3] = stress.zz;
+          quantities[point][4] = stress.von_mises();
+        }
+      }
+
+      std::vector<std::string> get_names() const override
+      {
+        return {"stress_xx", "stress_yy", "stress_xy", "stress_zz", "von_mises"};
+      }
+
+      dealii::UpdateFlags get_needed_update_flags() const override { return dealii::update_gradients; }
+
+    private:
+      Material material_;
+    };
+
+    dealii::Vector<double> levels(const dealii::Triangulation<2> &triangulation)
+    {
+      dealii::Vector<double> result(triangulation.n_active_cells());
+      for (const auto &cell : triangulation.active_cell_iterators())
+        result[cell->active_cell_index()] = cell->level();
+      return result;
+    }
+  } // namespace
+
+  std::string vtu(const Body &body, const Eigen::VectorXd &displacement)
+  {
+    using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
+    const Space &space = body.space();
+    const dealii::Vector<double> nodal(displacement.begin(), displacement.end());
+    const dealii::Vector<double> level = levels(space.mesh().triangulation);
+    const StressPostprocessor stress(body.material());
+
+    dealii::DataOut<2> data;
+    data.attach_dof_handler(space.dof_handler());
+    data.add_data_vector(
+        nodal, {"displacement", "displacement"}, dealii::DataOut<2>::type_dof_data,
+        std::vector<Interpretation>(2, dealii::DataComponentInterpretation::component_is_part_of_vector));
+    data.add_data_vector(nodal, stress);
+    data.add_data_vector(level, "level", dealii::DataOut<2>::type_cell_data);
+    data.build_patches(space.mapping(), space.degree(), dealii::DataOut<2>::curved_inner_cells);
+
+    dealii::DataOutBase::VtkFlags flags;
+    flags.compression_level = dealii::DataOutBase::VtkFlags::default_compression;
+    data.set_flags(flags);
+    std::ostringstream out;
+    data.write_vtu(out);
+    return out.str();
+  }
+
+  std::string pvd(const std::vector<std::string> &vtu_files)
+  {
+    std::ostringstream out;
+    dealii::DataOutBase::write_pvd_record(
+        out, std::vector<std::pair<double, std::vector<std::string>>>{{0., vtu_files}});
+    return out.str();
+  }
+} // namespace abut

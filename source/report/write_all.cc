@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/atomic_file.h>
+#include <abut/report/contact_csv.h>
+#include <abut/report/picture.h>
+#include <abut/report/summary.h>
+#include <abut/report/vtu.h>
+#include <abut/report/write_all.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+
+namespace abut
+{
+  namespace
+  {
+    void write_fields(const Results &results, const std::filesystem::path &directory)
+    {
+      std::vector<std::string> files;
+      for (const BodyResult &body : results.bodies)
+      {
+        files.push_back("solution_" + body.body->name() + ".vtu");
+        write_file(directory / files.back(), vtu(*body.body, body.displacement));
+      }
+      write_file(directory / "solution.pvd", pvd(files));
+    }
+
+    /// Returns whether there is a picture.
+    bool write_picture(const Results &results, const std::filesystem::path &directory)
+    {
+      const std::string drawing = picture(results);
+      if (!drawing.empty())
+        write_file(directory / "solution.svg", drawing);
+      return !drawing.empty();
+    }
+  } // namespace
+
+  Written write_all(const Results &results, const History &history, const std::string &directory,
+                    const double total_seconds)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    const std::filesystem::path folder(directory);
+    std::error_code ignored; // a file that cannot be removed cannot be replaced either, which is reported
+    for (const char *stale : {"summary.json", "solution.svg"})
+      std::filesystem::remove(folder / stale, ignored);
+
+    Written written;
+    write_file(folder / "parameters.prm", results.scene->parameters);
+    write_file(folder / "history.csv", history.csv());
+    for (const PairResult &pair : results.pairs)
+      write_file(folder / ("contact_" + pair.pair->name() + ".csv"), contact_csv(pair));
+    write_fields(results, folder);
+    if (!write_picture(results, folder))
+      written.left_out.push_back("solution.svg: too many cells for a picture");
+
+    written.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    nlohmann::ordered_json json = summary(results, total_seconds + written.seconds);
+    json["time_s"]["output"] = results.times.output + written.seconds;
+    for (const std::string &file : written.left_out)
+      json["left_out"].push_back(file);
+    write_file(folder / "summary.json", json.dump(2) + "\n");
+    return written;
+  }
+} // namespace abut
