@@ -99,6 +99,22 @@ namespace abut
              << " on the present contact). Set Decomposition/Relaxation to automatic or to a smaller number";
       return text.str();
     }
+    /// The paper's rule may fire by accident in a run that does not converge: then a sentence, else nothing.
+    std::string accident_message(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                                 const double relaxation, const Eigen::VectorXd &pressures)
+    {
+      if (relaxation < 2. / largest_eigenvalue(problem, compliance))
+        return {};
+      const double here = 2. / largest_eigenvalue(problem, compliance, &pressures);
+      if (relaxation < here)
+        return {};
+      std::ostringstream text;
+      text.precision(3);
+      text << "The increment rule has stopped the parallel Neumann scheme, but with gamma = " << relaxation
+           << " it does not converge: gamma must stay below gamma* = " << here
+           << " on the present contact. Set Decomposition/Relaxation to automatic or to a smaller number";
+      return text.str();
+    }
   } // namespace
 
   double automatic_relaxation(const double largest_eigenvalue)
@@ -165,7 +181,10 @@ namespace abut
       if (by_bound)
         result.stopped_by = StoppedBy::bound;
       else if (by_increment)
+      {
         result.stopped_by = StoppedBy::increment;
+        result.message = accident_message(problem_, compliance_, gamma, pressures);
+      }
       else if (stalled)
       {
         result.stopped_by = StoppedBy::stalled;

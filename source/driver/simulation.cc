@@ -276,7 +276,8 @@ namespace abut
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       results.pairs.push_back(pair_result(i, problem, results.iteration));
 
-    if (results.iteration.stopped_by == StoppedBy::increment && results.compliance_is_dense)
+    if (results.iteration.stopped_by == StoppedBy::increment && results.compliance_is_dense &&
+        results.iteration.converged())
     {
       double energy = 0.;
       for (const BodyResult &body : results.bodies)

@@ -64,9 +64,7 @@ namespace abut
       const double gap =
           drawn_gap(deformed_nodes(slave, slave_body.displacement, factor), master,
                     deformed_nodes(master, master_body.displacement, factor), mean.normalized());
-      const bool overlaps = gap < -tolerated_share * size;
-      const bool stands_apart = result.max_pressure > 0. && gap > tolerated_share * size;
-      if (!std::isfinite(gap) || !(overlaps || stands_apart))
+      if (!std::isfinite(gap) || gap >= -tolerated_share * size)
         return Vector2::Zero();
       return (drawn_distance_share * size - gap) * mean.normalized();
     }

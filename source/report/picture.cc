@@ -161,10 +161,9 @@ namespace abut
       write_text(out, Vector2(margin, margin + 8.), Anchor::start,
                  std::filesystem::path(results.scene->file).filename().string());
       out << "</g>\n";
-      write_text(
-          out, Vector2(margin, margin + 30.), Anchor::start,
-          "deformed, displacements times " + short_number(scene.factor, 6) +
-              (scene.moved_apart ? "; bodies drawn apart, since initial gaps are not exaggerated" : ""));
+      write_text(out, Vector2(margin, margin + 30.), Anchor::start,
+                 "deformed: displacements times " + short_number(scene.factor, 6) + ", initial gaps times 1" +
+                     (scene.moved_apart ? "; bodies drawn apart" : ""));
     }
   } // namespace
 
@@ -205,8 +204,8 @@ namespace abut
     const Range range = stress_range(scene);
     write_cells(out, scene, range, frame, box);
     write_combs(out, combs, frame);
-    write_colour_bar(out, range, Vector2(margin + 10., legend_top));
-    write_pressure_legend(out, results, Vector2(margin + 10. + bar_width + 60., legend_top));
+    write_colour_bar(out, range, Vector2(margin + 20., legend_top));
+    write_pressure_legend(out, results, Vector2(margin + 20. + bar_width + 60., legend_top));
     out << "</svg>\n";
     return out.str();
   }

@@ -24,9 +24,9 @@ namespace abut
     {
       // Columns of fixed width, so that a line wholly covers the one before.
       std::ostringstream out;
-      out << "step " << std::setw(6) << record.step << "  increment " << std::setw(10)
-          << short_number(record.increment) << "  error bound " << std::setw(10) << short_number(record.bound)
-          << "  peak pressure " << std::setw(10) << short_number(record.max_pressure);
+      out << "step " << std::setw(6) << record.step << "  increment " << std::setw(11)
+          << short_number(record.increment) << "  error bound " << std::setw(11) << short_number(record.bound)
+          << "  peak pressure " << std::setw(11) << short_number(record.max_pressure);
       return out.str();
     }
   } // namespace

@@ -29,6 +29,9 @@ namespace abut
       case '>':
         result += "&gt;";
         break;
+      case '"':
+        result += "&quot;";
+        break;
       default:
         result += c;
       }

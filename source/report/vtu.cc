@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/svg.h>
 #include <abut/report/vtu.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -65,7 +66,7 @@ namespace abut
     dealii::DataOut<2> data;
     data.attach_dof_handler(space.dof_handler());
     data.add_data_vector(
-        nodal, {"displacement", "displacement"}, dealii::DataOut<2>::type_dof_data,
+        nodal, std::vector<std::string>(2, "displacement"), dealii::DataOut<2>::type_dof_data,
         std::vector<Interpretation>(2, dealii::DataComponentInterpretation::component_is_part_of_vector));
     data.add_data_vector(nodal, stress);
     data.add_data_vector(level, "level", dealii::DataOut<2>::type_cell_data);
@@ -82,8 +83,11 @@ namespace abut
   std::string pvd(const std::vector<std::string> &vtu_files)
   {
     std::ostringstream out;
-    dealii::DataOutBase::write_pvd_record(
-        out, std::vector<std::pair<double, std::vector<std::string>>>{{0., vtu_files}});
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (std::size_t part = 0; part < vtu_files.size(); ++part)
+      out << "<DataSet timestep=\"0\" part=\"" << part << "\" file=\"" << xml_text(vtu_files[part])
+          << "\"/>\n";
+    out << "</Collection>\n</VTKFile>\n";
     return out.str();
   }
 } // namespace abut

@@ -23,7 +23,8 @@ namespace
   ConvergenceTable study(const std::string &title, const Overrides &changes,
                          const std::vector<unsigned int> &columns, const double upper_height = 1.)
   {
-    ConvergenceTable table("Two layers between rollers, relative errors in L2 (stress: xx, yy, zz, 2 xy). " + title,
+    ConvergenceTable table("Two layers between rollers, relative errors in L2 (stress: xx, yy, zz, 2 xy). " +
+                               title,
                            {"stress", "pressure", "force"});
     for (const unsigned int n : columns)
     {
@@ -62,10 +63,10 @@ namespace
   }
 
   /**
-   * Other data, same mesh sizes. A first-order error of the stress is C h / l, l the length over which the stress
-   * varies: the smaller of the half-width of the contact (1.17 to 1.45 here, 1.02 as written) and the height of the
-   * layers (1 to 1.5; 1). So the error must not exceed that of the scene as written, 2.4 % for 64 columns, by more
-   * than C does: a quarter is left to it, for nu = 0.4.
+   * Other data, same mesh sizes. A first-order error of the stress is C h / l, l the length over which the
+   * stress varies: the smaller of the half-width of the contact (1.17 to 1.45 here, 1.02 as written) and the
+   * height of the layers (1 to 1.5; 1). So the error must not exceed that of the scene as written, 2.4 % for
+   * 64 columns, by more than C does: a quarter is left to it, for nu = 0.4.
    */
   void expect_errors_as_before(const ConvergenceTable &table)
   {
@@ -84,11 +85,11 @@ namespace
 
   TEST(Layers, other_material_and_gap)
   {
-    expect_errors_as_before(study("E = 7e4, nu = 0.2, r0 = 4e-4, approach 1e-3",
-                                  {"Constants/Values=4e-4, 1e-3", "Body upper/Young modulus=7e4",
-                                   "Body upper/Poisson ratio=0.2", "Body lower/Young modulus=7e4",
-                                   "Body lower/Poisson ratio=0.2"},
-                                  {64, 128}));
+    expect_errors_as_before(
+        study("E = 7e4, nu = 0.2, r0 = 4e-4, approach 1e-3",
+              {"Constants/Values=4e-4, 1e-3", "Body upper/Young modulus=7e4", "Body upper/Poisson ratio=0.2",
+               "Body lower/Young modulus=7e4", "Body lower/Poisson ratio=0.2"},
+              {64, 128}));
   }
 
   TEST(Layers, different_bodies)

@@ -2,8 +2,9 @@
 // Dual multipliers: duality, balance of forces and moments, linear gaps, partial cover.
 #include <abut/trace/mortar_coupling.h>
 
-#include "trace_testing.h"
 #include <gtest/gtest.h>
+
+#include "trace_testing.h"
 
 using namespace abut;
 
@@ -45,11 +46,14 @@ namespace
   {
     const MortarCoupling coupling = couple(slave, master, geometric);
     const Eigen::VectorXd p = random_pressures(coupling.weights.size());
-    const Eigen::VectorXd on_slave = coupling.slave.transpose() * p, on_master = coupling.master.transpose() * p;
+    const Eigen::VectorXd on_slave = coupling.slave.transpose() * p,
+                          on_master = coupling.master.transpose() * p;
     EXPECT_GT(on_slave.norm(), .01);
     EXPECT_LT((resultant(on_slave) + resultant(on_master)).norm(), 1e-13);
     if (with_moments)
+    {
       EXPECT_NEAR(moment(on_slave, slave) + moment(on_master, master), 0., 1e-13);
+    }
   }
 } // namespace
 
@@ -72,8 +76,7 @@ TEST(TraceCoupling, MultipliersAreDualToTheShapeFunctions)
 TEST(TraceCoupling, WeightsAreTheIntegralsOfTheShapeFunctions)
 {
   // Gauss-Lobatto weights: on degree 2, 1/6, 4/6, 1/6 of a segment.
-  const MortarCoupling coupling =
-      couple(make_line(2., 0., 0., 2, 2), make_line(0., 2., 0., 3, 2), geometric);
+  const MortarCoupling coupling = couple(make_line(2., 0., 0., 2, 2), make_line(0., 2., 0., 3, 2), geometric);
   Eigen::VectorXd expected(5);
   expected << 1., 4., 2., 4., 1.;
   EXPECT_LT((coupling.weights - expected / 6.).norm(), 1e-15);
@@ -97,7 +100,8 @@ TEST(TraceCoupling, ForcesAndMomentsBalanceOnStraightSides)
     expect_balance(make_line(3., 0., 1., 5, degree), make_line(0., 3., 1.3, 7, 2), true);
     expect_balance(make_line(3., 0., 1., 5, degree), make_line(.7, 2.2, .9, 7, 1), true);
     const auto inclined = [](const double x) { return Vector2(x, 1.2 + .1 * x); };
-    expect_balance(make_line(3., 0., 1., 5, degree), make_curve(inclined, parameters(-.5, 3.5, 4), 1, 1), true);
+    expect_balance(make_line(3., 0., 1., 5, degree), make_curve(inclined, parameters(-.5, 3.5, 4), 1, 1),
+                   true);
   }
 }
 
@@ -108,7 +112,8 @@ TEST(TraceCoupling, ForcesBalanceOnCurvedSides)
     expect_balance(make_arc(1., 0., 1.5, 7, degree), make_arc(1.2, 1.5, 0., 5, degree), false);
     expect_balance(make_arc(1., 0., 2. * M_PI, 20, degree), make_arc(.95, 2. * M_PI, 0., 28, degree), false);
     // Moments are taken at nodes: they show the whole truth where the space has the geometry's degree.
-    expect_balance(make_arc(1., 0., 1.5, 7, degree, degree), make_arc(1.2, 1.6, -.1, 5, degree, degree), true);
+    expect_balance(make_arc(1., 0., 1.5, 7, degree, degree), make_arc(1.2, 1.6, -.1, 5, degree, degree),
+                   true);
   }
 }
 

@@ -138,8 +138,8 @@ TEST(TraceCurve, NormalsAreAveragedAtGentleCornersOnly)
 {
   const auto corner = [](const double degrees) {
     const Vector2 after(std::cos(degrees * M_PI / 180.), std::sin(degrees * M_PI / 180.));
-    return make_curve(
-        [after](const double t) { return t < 0. ? Vector2(t, 0.) : Vector2(t * after); }, {-1., 0., 1.}, 1, 1);
+    return make_curve([after](const double t) { return t < 0. ? Vector2(t, 0.) : Vector2(t * after); },
+                      {-1., 0., 1.}, 1, 1);
   };
   const Trace gentle = corner(40.), sharp = corner(50.);
   const Vector2 bisector(std::sin(20. * M_PI / 180.), -std::cos(20. * M_PI / 180.));

@@ -2,8 +2,9 @@
 // Pieces of a slave curve, each opposite one master segment, and the projection between them.
 #include <abut/trace/common_refinement.h>
 
-#include "trace_testing.h"
 #include <gtest/gtest.h>
+
+#include "trace_testing.h"
 
 using namespace abut;
 
@@ -18,7 +19,9 @@ namespace
       const Piece &piece = pieces[i];
       EXPECT_LT(piece.start, piece.end);
       if (i > 0 && pieces[i - 1].slave_segment == piece.slave_segment)
+      {
         EXPECT_EQ(pieces[i - 1].end, piece.start);
+      }
       for (const double share : {1e-6, .3, .5, 1. - 1e-6})
       {
         const Segment &segment = slave.segments()[piece.slave_segment];
@@ -70,7 +73,8 @@ TEST(TraceRefinement, NonmatchingSidesAreCutAtBothSidesEnds)
     {
       // Ends lie on multiples of 3/n or of 3/m.
       const double x = 3. - (static_cast<double>(piece.slave_segment) + piece.end) * 3. / n;
-      EXPECT_NEAR(std::min(std::abs(std::remainder(x, 3. / n)), std::abs(std::remainder(x, 3. / m))), 0., 1e-14);
+      EXPECT_NEAR(std::min(std::abs(std::remainder(x, 3. / n)), std::abs(std::remainder(x, 3. / m))), 0.,
+                  1e-14);
     }
   }
 }

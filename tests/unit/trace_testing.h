@@ -10,9 +10,11 @@ namespace abut
 {
   using Place = std::function<Vector2(double)>;
 
-  /// A curve without a mesh: a segment between any two neighbouring parameters, its unknowns numbered along it.
-  inline Trace make_curve(const Place &place, const std::vector<double> &parameters, const unsigned int degree,
-                          const unsigned int geometry_degree, const bool closed = false)
+  /// A curve without a mesh: a segment between any two neighbouring parameters, its unknowns numbered along
+  /// it.
+  inline Trace make_curve(const Place &place, const std::vector<double> &parameters,
+                          const unsigned int degree, const unsigned int geometry_degree,
+                          const bool closed = false)
   {
     const LagrangeBasis geometry(geometry_degree);
     const auto n_segments = static_cast<unsigned int>(parameters.size()) - 1;
@@ -52,7 +54,7 @@ namespace abut
                         const unsigned int degree, const unsigned int geometry_degree = 4)
   {
     return make_curve(
-        [radius](const double angle) { return radius * Vector2(std::cos(angle), std::sin(angle)); },
+        [radius](const double angle) { return Vector2(radius * std::cos(angle), radius * std::sin(angle)); },
         parameters(from, to, n), degree, geometry_degree, std::abs(std::abs(to - from) - 2. * M_PI) < 1e-12);
   }
 } // namespace abut

@@ -14,10 +14,9 @@ namespace abut
 
   /**
    * For every body the vector by which it is to be drawn elsewhere: zero unless a pair, drawn with the
-   * exaggerated displacements, overlaps by more than a hundredth of the scene's size, or stands apart by as
-   * much in spite of contact. Then one body is moved along the mean normal of the slave side until the
-   * smallest distance in that direction is two hundredths. Pairs that close a ring of bodies are not looked
-   * at.
+   * exaggerated displacements, overlaps by more than a hundredth of the scene's size. Then one of the two is
+   * moved along the mean normal of the slave side until the smallest distance in that direction is two
+   * hundredths. Left where they are: sides that run all around, and pairs that close a ring of bodies.
    */
   Polyline shifts_apart(const Results &results, double factor, double scene_size);
 } // namespace abut

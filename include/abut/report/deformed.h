@@ -37,8 +37,8 @@ namespace abut
    * largest displacement relative to their mean is at most, and at least 2/5 of, a twentieth of the scene's
    * size.
    *
-   * Initial gaps are drawn at their size, and those given as an expression not at all; bodies that would
-   * therefore overlap or stand apart wrongly are drawn elsewhere (see `shifts_apart`).
+   * Initial gaps are drawn at their size, and those given as an expression not at all: bodies in contact may
+   * stand apart, and those that would overlap are drawn elsewhere (see `shifts_apart`).
    */
   DrawnScene deformed_scene(const Results &results);
 } // namespace abut

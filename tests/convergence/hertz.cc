@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/reference/hertz.h>
+
+#include "convergence_table.h"
+#include "solved_scene.h"
+#include <sstream>
+
+namespace
+{
+  using namespace abut;
+
+  constexpr double radius = 1.;
+
+  /// What a run shows of Hertz's profile.
+  struct Profile
+  {
+    double peak, half_width;
+  };
+
+  std::string text(const double number)
+  {
+    std::ostringstream stream;
+    stream.precision(15);
+    stream << number;
+    return stream.str();
+  }
+
+  /// `prm/hertz.prm` under another load, with theta instead of its penalty coefficient.
+  Profile solve(const double half_force, const double penalty)
+  {
+    const SolvedScene scene("hertz.prm", {"Constants/Values=" + text(radius) + ", " + text(half_force),
+                                          "Contact interface/Penalty=" + text(penalty)});
+    const PairResult &pair = scene.pair();
+    const Eigen::VectorXd forces = pair.pair->coupling().weights.cwiseProduct(pair.pressures);
+    double second_moment = 0.;
+    for (std::size_t i = 0; i < pair.slave->n_nodes(); ++i)
+      second_moment += forces[static_cast<Eigen::Index>(i)] * std::pow(pair.slave->node_points()[i].x(), 2);
+    // Of p0 sqrt(1 - x^2/a^2) the mean of x^2 is a^2/4.
+    return {pair.pressures[0], 2. * std::sqrt(second_moment / forces.sum())};
+  }
+
+  /**
+   * Without penalty: solved with theta and 2 theta, and the first-order influence of theta taken off. theta
+   * is a fixed fraction of a/E*, so that what is left of its influence is the same for every load.
+   */
+  Profile solve_without_penalty(const HertzLineContact &hertz, const double half_force, const double modulus)
+  {
+    const double penalty = 4e-3 * hertz.half_width() / modulus;
+    const Profile once = solve(half_force, penalty), twice = solve(half_force, 2. * penalty);
+    return {2. * once.peak - twice.peak, 2. * once.half_width - twice.half_width};
+  }
+
+  TEST(HertzScene, deviates_by_the_square_of_half_width_over_size)
+  {
+    const double modulus = composite_modulus(2.1e5, .3, 2.8e3, .4);
+    ConvergenceTable table("Hertz, bodies of the size R: deviation from half-planes against a/R",
+                           {"peak pressure", "half-width"});
+    for (const double a : {.2, .2 * std::sqrt(.5), .1, .1 * std::sqrt(.5)})
+    {
+      const double half_force = std::acos(-1.) * modulus * a * a / (8. * radius);
+      const HertzLineContact hertz(2. * half_force, radius, modulus);
+      const Profile computed = solve_without_penalty(hertz, half_force, modulus);
+      const double peak = std::abs(computed.peak / hertz.max_pressure() - 1.);
+      const double half_width = std::abs(computed.half_width / hertz.half_width() - 1.);
+      std::cout << "a/R = " << a << ": p0 " << computed.peak << " (Hertz " << hertz.max_pressure()
+                << "), deviation / (a/R)^2 " << peak / (a * a) << "; half-width " << computed.half_width
+                << ", deviation / (a/R)^2 " << half_width / (a * a) << '\n';
+      table.add(a, {peak, half_width});
+    }
+    table.print();
+  }
+} // namespace

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "program.h"
+
+#include <abut/driver/command_line.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace abut::testing
+{
+  namespace
+  {
+    /// A folder that is removed when the test program ends.
+    class TemporaryFolder
+    {
+    public:
+      TemporaryFolder()
+      {
+        std::string pattern = (std::filesystem::temp_directory_path() / "abut-test-XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+      }
+      ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+      std::filesystem::path next() { return path_ / std::to_string(count_++); }
+
+    private:
+      std::filesystem::path path_;
+      unsigned int count_ = 0;
+    };
+
+    std::filesystem::path new_path()
+    {
+      static TemporaryFolder folder;
+      return folder.next();
+    }
+
+    std::vector<std::string> cells(const std::string &line)
+    {
+      std::vector<std::string> result;
+      std::istringstream stream(line + ",");
+      for (std::string cell; std::getline(stream, cell, ',');)
+        result.push_back(cell);
+      return result;
+    }
+  } // namespace
+
+  Answer run(std::vector<std::string> arguments)
+  {
+    const std::string directory = new_path().string();
+    arguments.insert(arguments.begin(), "abut");
+    arguments.insert(arguments.end(), {"--output", directory});
+    std::vector<const char *> argv;
+    for (const std::string &argument : arguments)
+      argv.push_back(argument.c_str());
+    std::ostringstream out, err;
+    Answer answer{};
+    answer.status = run_command_line(static_cast<int>(argv.size()), argv.data(), out, err);
+    answer.out = out.str();
+    answer.err = err.str();
+    answer.directory = directory;
+    std::ifstream summary(directory + "/summary.json");
+    if (summary)
+      answer.summary = nlohmann::json::parse(summary);
+    return answer;
+  }
+
+  std::string project_file(const std::string &name)
+  {
+    return std::string(ABUT_SOURCE_DIR) + "/" + name;
+  }
+
+  std::string temporary_file(const std::string &name, const std::string &content)
+  {
+    const std::filesystem::path folder = new_path();
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / name) << content;
+    return (folder / name).string();
+  }
+
+  std::string read_file(const std::string &path)
+  {
+    std::ifstream file(path);
+    std::ostringstream content;
+    content << file.rdbuf();
+    return content.str();
+  }
+
+  std::vector<double> column(const std::string &path, const std::string &name)
+  {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    const std::vector<std::string> header = cells(line);
+    const auto position = std::find(header.begin(), header.end(), name) - header.begin();
+    std::vector<double> values;
+    while (std::getline(file, line))
+    {
+      const std::string cell = cells(line).at(static_cast<std::size_t>(position));
+      values.push_back(cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::stod(cell));
+    }
+    return values;
+  }
+} // namespace abut::testing

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace abut::testing
+{
+  /// What the program answered.
+  struct Answer
+  {
+    int status;
+    std::string out, err;
+    std::string directory;  ///< where the results were to go
+    nlohmann::json summary; ///< null where none was written
+  };
+
+  /// Runs the program's command line in this process, with `--output` set to a new folder of the test's own.
+  Answer run(std::vector<std::string> arguments);
+
+  /// The path of a file of the project.
+  std::string project_file(const std::string &name);
+
+  /// Writes a file into a new folder of the test's own and returns its path.
+  std::string temporary_file(const std::string &name, const std::string &content);
+
+  std::string read_file(const std::string &path);
+
+  /// The numbers of a CSV file's column; empty cells are NaN.
+  std::vector<double> column(const std::string &path, const std::string &name);
+} // namespace abut::testing

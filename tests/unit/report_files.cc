@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/atomic_file.h>
+#include <abut/report/contact_csv.h>
+#include <abut/report/history.h>
+#include <abut/report/numbers.h>
+#include <abut/report/write_all.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report_testing.h"
+#include "scene_testing.h"
+#include <algorithm>
+#include <filesystem>
+
+namespace
+{
+  using namespace abut;
+  namespace fs = std::filesystem;
+
+  class ReportFolder : public ::testing::Test
+  {
+  protected:
+    SceneFile scene_{""};
+    fs::path folder_ = scene_.directory();
+
+    std::size_t n_files() const
+    {
+      return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+    }
+  };
+
+  TEST_F(ReportFolder, FileIsReplacedAndNothingElseIsLeft)
+  {
+    const fs::path path = folder_ / "a.txt";
+    write_file(path, "old");
+    write_file(path, "new\n");
+    EXPECT_EQ(content_of(path), "new\n");
+    EXPECT_EQ(n_files(), 2u); // with the scene
+  }
+
+  TEST_F(ReportFolder, FailedRenameLeavesWhatWasThereAndNamesThePath)
+  {
+    const fs::path path = folder_ / "taken";
+    fs::create_directory(path);
+    std::ofstream(path / "inside") << "old";
+    expect_phrase(message_of([&] { write_file(path, "new"); }), path.string());
+    EXPECT_EQ(content_of(path / "inside"), "old");
+    EXPECT_EQ(n_files(), 2u);
+  }
+
+  TEST_F(ReportFolder, FullDiskLeavesTheOldFile)
+  {
+    // The temporary file is a link to a device that is always full.
+    const fs::path path = folder_ / "a.txt";
+    write_file(path, "old");
+    fs::create_symlink("/dev/full", path.string() + ".partial-" + std::to_string(getpid()));
+    expect_phrase(message_of([&] { write_file(path, "new"); }), "No space left");
+    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(n_files(), 2u);
+  }
+
+  TEST_F(ReportFolder, MissingFolderIsReported)
+  {
+    expect_phrase(message_of([&] { write_file(folder_ / "none" / "a", ""); }), "No such file");
+  }
+
+  TEST_F(ReportFolder, OutputDirectoryIsMadeWithItsParents)
+  {
+    make_output_directory(folder_ / "a" / "b");
+    make_output_directory(folder_ / "a" / "b");
+    EXPECT_TRUE(fs::is_empty(folder_ / "a" / "b"));
+  }
+
+  TEST_F(ReportFolder, OutputDirectoryMustBeAWritableFolder)
+  {
+    const std::string taken = folder_ / "file";
+    write_file(taken, "old");
+    expect_phrase(message_of([&] { make_output_directory(taken); }), "`" + taken + "`, which is a file");
+    expect_phrase(message_of([&] { make_output_directory(taken + "/below"); }), "could not be made");
+    expect_phrase(message_of([&] { make_output_directory("/proc/self"); }), "nothing can be written");
+    EXPECT_EQ(content_of(taken), "old");
+  }
+
+  TEST(ReportNumbers, ReadBackExactlyOrEmpty)
+  {
+    EXPECT_EQ(std::stod(exact_number(1. / 3.)), 1. / 3.);
+    EXPECT_EQ(exact_number(std::numeric_limits<double>::infinity()), "");
+    EXPECT_EQ(exact_number(std::nan("")), "");
+    EXPECT_EQ(short_number(1234.5678, 6), "1234.57");
+    EXPECT_EQ(short_number(std::nan("")), "-");
+    EXPECT_EQ(aligned({{"a", "long"}, {"name", "1"}}), "  a     long\n  name     1\n");
+  }
+
+  TEST(ReportHistory, HasTheHeaderAndARowForEveryStep)
+  {
+    History history({8, 100, 20});
+    StepRecord record;
+    record.step = 1;
+    record.increment = .5;
+    record.normal_force = 3.;
+    record.max_pressure = 2.;
+    history.add(record, .25);
+    record.step = 2;
+    record.bound = .125;
+    history.add(record, .75);
+    const auto lines = lines_of(history.csv());
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines[0],
+              "pass,step,dofs,boundary_dofs,cells,eta_max,increment,error_discretisation,error_penalty,"
+              "error_iteration,error_total,true_error_energy,true_error_stress,effectivity,"
+              "effectivity_total,normal_force,max_pressure,wall_time_s");
+    EXPECT_EQ(lines[1], "0,1,100,20,8,,0.5,,,,,,,,,3,2,0.25");
+    EXPECT_EQ(lines[2], "0,2,100,20,8,,0.5,,,0.125,,,,,,3,2,0.75");
+  }
+
+  TEST_F(ReportedScene, ContactRowsFollowTheArcAndLeaveInfiniteGapsEmpty)
+  {
+    // The top of the lower square runs from (1, 1) to (0, 1).
+    const Trace &slave = *results.pairs[0].slave;
+    const std::size_t first = slave.node_points()[0].x() == 1. ? 0 : 1;
+    results.pairs[0].gaps = Eigen::Vector2d::Constant(-.125);
+    results.pairs[0].gaps[static_cast<Eigen::Index>(first)] = std::numeric_limits<double>::infinity();
+    results.pairs[0].pressures = Eigen::Vector2d::Constant(7.);
+    results.pairs[0].pressures[static_cast<Eigen::Index>(first)] = 0.;
+    const auto lines = lines_of(contact_csv(results.pairs[0]));
+    EXPECT_EQ(lines, (std::vector<std::string>{"x,y,arc_length,gap,pressure", "1,1,0,,0", "0,1,1,-0.125,7"}));
+  }
+
+  TEST_F(ReportedScene, AllFilesAreWrittenAndTheSummaryKnowsWhatIsMissing)
+  {
+    const fs::path folder = fs::path(file.directory()) / "out";
+    make_output_directory(folder);
+    write_file(folder / "solution.svg", "stale");
+    const Written written = write_all(results, History({2, 16, 16}), folder, 1.);
+    std::vector<std::string> names;
+    for (const auto &entry : fs::directory_iterator(folder))
+      names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"contact_interface.csv", "history.csv", "parameters.prm",
+                                               "solution.pvd", "solution.svg", "solution_lower.vtu",
+                                               "solution_upper.vtu", "summary.json"}));
+    EXPECT_EQ(content_of(folder / "parameters.prm"), scene.parameters);
+    EXPECT_NE(content_of(folder / "solution.svg"), "stale");
+    EXPECT_TRUE(written.left_out.empty());
+    const auto json = nlohmann::json::parse(content_of(folder / "summary.json"));
+    EXPECT_DOUBLE_EQ(json["time_s"]["output"], written.seconds);
+    EXPECT_DOUBLE_EQ(json["time_s"]["total"], 1. + written.seconds);
+  }
+
+  TEST_F(ReportedScene, AFailedRunLeavesNoSummary)
+  {
+    const fs::path folder = file.directory();
+    write_file(folder / "summary.json", "{}");
+    fs::create_directories(folder / "solution_upper.vtu" / "in the way");
+    EXPECT_THROW(write_all(results, History({2, 16, 16}), folder, 1.), UserError);
+    EXPECT_FALSE(fs::exists(folder / "summary.json"));
+  }
+} // namespace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/colour_map.h>
+#include <abut/report/deformed.h>
+#include <abut/report/picture.h>
+#include <abut/report/svg.h>
+#include <abut/report/vtu.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include "report_testing.h"
+
+namespace
+{
+  using namespace abut;
+  using boost::property_tree::ptree;
+
+  /// Throws when the text is not well-formed XML.
+  ptree parse_xml(const std::string &text)
+  {
+    std::istringstream in(text);
+    ptree tree;
+    boost::property_tree::read_xml(in, tree);
+    return tree;
+  }
+
+  TEST(ReportColours, RunFromDarkBlueToYellow)
+  {
+    EXPECT_EQ(viridis(0.), "#440154");
+    EXPECT_EQ(viridis(-1.), "#440154");
+    EXPECT_EQ(viridis(1.), "#fde725");
+    EXPECT_EQ(viridis(2.), "#fde725");
+    EXPECT_EQ(viridis(.5 / 19.), "#460b5e"); // half way between #440154 and #481567
+  }
+
+  TEST_F(ReportedScene, PictureIsWellFormedAndHasEveryCell)
+  {
+    scene.file = "folder/a & <b>.prm";
+    const std::string text = picture(results);
+    const ptree svg = parse_xml(text).get_child("svg");
+    EXPECT_EQ(svg.get<std::string>("g.text"), "a & <b>.prm");
+    std::size_t cells = 0;
+    for (const auto &[tag, group] : svg)
+      if (group.count("path") > 0)
+        cells += group.count("path");
+    EXPECT_EQ(cells, 2u);
+    EXPECT_EQ(occurrences(text, "nan"), 0u);
+  }
+
+  TEST_F(ReportedScene, RigidBodiesAreNotExaggeratedButDrawnApart)
+  {
+    const DrawnScene drawn = deformed_scene(results);
+    EXPECT_EQ(drawn.factor, 1.);
+    ASSERT_TRUE(drawn.moved_apart);
+    // The upper square went down by 1/8 and is drawn 2/100 of the diagonal above the lower one.
+    double lowest = 10., highest = -10.;
+    for (const Vector2 &point : drawn.bodies[0].cells[0])
+      lowest = std::min(lowest, point.y());
+    for (const Vector2 &point : drawn.bodies[1].cells[0])
+      highest = std::max(highest, point.y());
+    EXPECT_NEAR(highest - lowest + .02 * std::sqrt(5.), 0., 1e-14);
+  }
+
+  TEST_F(ReportedScene, BodiesThatStandApartStayWhereTheyAre)
+  {
+    for (const auto &dofs : all_nodes(bodies[0]->space()).dofs)
+      results.bodies[0].displacement[dofs[1]] = .125;
+    EXPECT_FALSE(deformed_scene(results).moved_apart);
+  }
+
+  TEST_F(ReportedScene, ExaggerationMakesTheDeformationVisible)
+  {
+    results.bodies[0].displacement.setZero();
+    results.pairs[0].max_pressure = 0.;
+    for (const double amplitude : {1e-6, 3e-4, .7})
+    {
+      const Nodes nodes = all_nodes(bodies[1]->space());
+      for (std::size_t i = 0; i < nodes.dofs.size(); ++i) // stretched to both sides
+        results.bodies[1].displacement[nodes.dofs[i][0]] = amplitude * (nodes.places[i].x() - .5);
+      const double shown = deformed_scene(results).factor * .5 * amplitude / std::sqrt(5.);
+      EXPECT_LE(shown, .05 * (1. + 1e-12)) << amplitude;
+      EXPECT_GE(shown, .02 * (1. - 1e-12)) << amplitude;
+    }
+  }
+
+  TEST_F(ReportedScene, MeanStressOfACellIsThatOfUniformStrain)
+  {
+    const Nodes nodes = all_nodes(bodies[1]->space());
+    for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
+      results.bodies[1].displacement[nodes.dofs[i][0]] = 1e-3 * nodes.places[i].x();
+    Eigen::Matrix2d gradient;
+    gradient << 1e-3, 0., 0., 0.;
+    const double expected = bodies[1]->material().stress(gradient).von_mises();
+    EXPECT_NEAR(deformed_scene(results).bodies[1].von_mises.at(0), expected, 1e-13 * expected);
+  }
+
+  TEST_F(ReportedScene, VtuIsXmlWithAllArrays)
+  {
+    const ptree piece = parse_xml(vtu(*bodies[0], results.bodies[0].displacement))
+                            .get_child("VTKFile.UnstructuredGrid.Piece");
+    EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 1);
+    std::map<std::string, std::string> arrays;
+    for (const char *data : {"PointData", "CellData"})
+      if (const auto part = piece.get_child_optional(data))
+        for (const auto &[tag, array] : *part)
+          if (tag == "DataArray")
+            arrays[array.get<std::string>("<xmlattr>.Name")] =
+                array.get<std::string>("<xmlattr>.NumberOfComponents", "1");
+    EXPECT_EQ(arrays, (std::map<std::string, std::string>{{"displacement", "3"},
+                                                          {"level", "1"},
+                                                          {"stress_xx", "1"},
+                                                          {"stress_xy", "1"},
+                                                          {"stress_yy", "1"},
+                                                          {"stress_zz", "1"},
+                                                          {"von_mises", "1"}}));
+  }
+
+  TEST(ReportPvd, NamesEveryFile)
+  {
+    const ptree collection =
+        parse_xml(pvd({"solution_a.vtu", "solution_b.vtu"})).get_child("VTKFile.Collection");
+    std::vector<std::string> files;
+    for (const auto &[tag, set] : collection)
+      files.push_back(set.get<std::string>("<xmlattr>.part") + ":" + set.get<std::string>("<xmlattr>.file"));
+    EXPECT_EQ(files, (std::vector<std::string>{"0:solution_a.vtu", "1:solution_b.vtu"}));
+  }
+} // namespace

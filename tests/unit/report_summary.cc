@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/console.h>
+#include <abut/report/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report_testing.h"
+
+namespace
+{
+  using namespace abut;
+  using Json = nlohmann::ordered_json;
+
+  std::vector<std::string> keys(const Json &object)
+  {
+    std::vector<std::string> names;
+    for (const auto &[name, value] : object.items())
+      names.push_back(name);
+    return names;
+  }
+
+  void expect_keys(const Json &object, const std::vector<std::string> &names)
+  {
+    for (const std::string &name : names)
+      EXPECT_TRUE(object.contains(name)) << name << " is not among the keys of " << object;
+  }
+
+  TEST_F(ReportedScene, SummaryHasAllKeys)
+  {
+    const Json json = Json::parse(summary(results, 2.).dump());
+    expect_keys(json, {"status", "stopped_by", "passes", "bodies", "contacts", "error", "true_error",
+                       "time_s", "peak_memory_mb", "left_out", "message", "steps", "relaxation", "iteration",
+                       "counters", "versions"});
+    ASSERT_EQ(json["bodies"].size(), 2u);
+    expect_keys(json["bodies"][0],
+                {"name", "cells", "dofs", "boundary_dofs", "energy", "max_von_mises", "min_level",
+                 "max_level", "h_max", "regularity", "reactions", "equilibrium_residual"});
+    ASSERT_EQ(json["contacts"].size(), 1u);
+    expect_keys(json["contacts"][0], {"name", "force", "normal_force", "max_pressure", "contact_length",
+                                      "max_penetration", "min_gap", "penalty", "coverage"});
+    EXPECT_EQ(keys(json["error"]),
+              (std::vector<std::string>{"discretisation", "penalty", "iteration", "total"}));
+    EXPECT_EQ(keys(json["true_error"]), (std::vector<std::string>{"energy", "stress", "pressure", "force"}));
+    EXPECT_EQ(keys(json["time_s"]),
+              (std::vector<std::string>{"total", "mesh", "assemble", "factorise", "solve", "interface", "bem",
+                                        "estimate", "adapt", "output"}));
+    expect_keys(json["counters"], {"bodies", "mpi_initialised", "p4est_initialised"});
+  }
+
+  TEST_F(ReportedScene, SummaryTellsWhatTheRunFound)
+  {
+    const Json json = summary(results, 2.);
+    EXPECT_EQ(json["status"], "converged");
+    EXPECT_EQ(json["stopped_by"], "increment");
+    EXPECT_EQ(json["passes"], 1);
+    EXPECT_EQ(json["steps"], 4);
+    EXPECT_EQ(json["time_s"]["total"], 2.);
+    EXPECT_EQ(json["left_out"], Json::array({"adaptation"}));
+    EXPECT_GT(json["peak_memory_mb"], 1.);
+
+    const Json &lower = json["bodies"][1];
+    EXPECT_EQ(lower["name"], "lower");
+    EXPECT_EQ(lower["cells"], 1);
+    EXPECT_EQ(lower["dofs"], 8);
+    EXPECT_EQ(lower["boundary_dofs"], 8);
+    EXPECT_EQ(lower["energy"], 2.5);
+    EXPECT_EQ(lower["max_level"], 0);
+    EXPECT_DOUBLE_EQ(lower["regularity"], 1. + std::sqrt(2.)); // of a square
+    EXPECT_EQ(lower["reactions"], (Json{{"bottom", {0., 3.}}}));
+    EXPECT_EQ(json["contacts"][0]["force"], Json::array({0., -3.5}));
+    EXPECT_NEAR(json["contacts"][0]["coverage"], 1., 1e-14);
+    EXPECT_EQ(json["counters"]["bodies"]["upper"]["factorisations"], 1);
+  }
+
+  TEST_F(ReportedScene, WhatIsUnknownIsNull)
+  {
+    results.pairs[0].min_gap = std::numeric_limits<double>::infinity();
+    const Json json = Json::parse(summary(results, 2.).dump());
+    for (const char *key : {"discretisation", "penalty", "iteration", "total"})
+      EXPECT_TRUE(json["error"][key].is_null()) << key;
+    for (const char *key : {"energy", "stress", "pressure", "force"})
+      EXPECT_TRUE(json["true_error"][key].is_null()) << key;
+    EXPECT_TRUE(json["iteration"]["limit_distance"].is_null());
+    EXPECT_TRUE(json["iteration"]["rigid_displacement"].is_null());
+    EXPECT_TRUE(json["contacts"][0]["min_gap"].is_null());
+  }
+
+  TEST_F(ReportedScene, WhatIsKnownIsNot)
+  {
+    results.iteration.iteration_error = .25;
+    results.limit_distance = LimitDistance{.06, .02, 161.5};
+    results.true_errors.pressure = .01;
+    const Json json = summary(results, 2.);
+    EXPECT_EQ(json["error"]["iteration"], .25);
+    EXPECT_EQ(json["iteration"]["limit_distance"],
+              (Json{{"displacement", .06}, {"energy", .02}, {"peak_pressure", 161.5}}));
+    EXPECT_EQ(json["true_error"]["pressure"], .01);
+    EXPECT_TRUE(json["true_error"]["stress"].is_null());
+  }
+
+  TEST_F(ReportedScene, NeitherMpiNorP4estIsStarted)
+  {
+    const Json json = summary(results, 2.);
+    EXPECT_EQ(json["counters"]["mpi_initialised"], false);
+    EXPECT_EQ(json["counters"]["p4est_initialised"], false);
+  }
+
+  TEST_F(ReportedScene, FailureIsSaid)
+  {
+    results.iteration.message = "gamma is too large";
+    results.iteration.stopped_by = StoppedBy::stalled;
+    const Json json = summary(results, 2.);
+    EXPECT_EQ(json["status"], "not converged");
+    EXPECT_EQ(json["stopped_by"], "stalled");
+    EXPECT_EQ(json["message"], "gamma is too large");
+    std::ostringstream out;
+    print_results(out, results, "out", 2.);
+    EXPECT_NE(out.str().find("NOT CONVERGED: gamma is too large"), std::string::npos) << out.str();
+  }
+
+  TEST_F(ReportedScene, ConsoleSaysWhatTheIncrementRuleIsWorth)
+  {
+    results.limit_distance = LimitDistance{.061, .021, 161.5};
+    std::ostringstream out;
+    print_results(out, results, "results/x", 2.);
+    EXPECT_NE(out.str().find("contact displacement 6.1 % from the limit of the iteration, energy norm 2.1 %"),
+              std::string::npos)
+        << out.str();
+    EXPECT_NE(out.str().find("results/x"), std::string::npos);
+  }
+} // namespace

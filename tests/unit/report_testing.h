@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/report/results.h>
+
+#include <gtest/gtest.h>
+
+#include "scene_file.h"
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+/// Two unit squares of one cell each, pressed together by hand: the lower one holds still, the upper one is
+/// pushed down by 1/8, which the contact takes up as penetration.
+class ReportedScene : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    scene = file.read({"Body upper/Cells=1, 1", "Body lower/Cells=1, 1"});
+    for (const auto &[index, side] : {std::pair(0, "bottom"), {1, "top"}})
+      bodies.push_back(std::make_unique<abut::Body>(scene.bodies[static_cast<std::size_t>(index)],
+                                                    std::vector<std::string>{side}));
+    const abut::Trace &slave = bodies[1]->contact_sides()[0];
+    pair = std::make_unique<abut::ContactPair>(
+        scene.contacts[0], scene.bodies[1].placement, abut::ContactBody{1, 0, 1., 1.},
+        abut::ContactBody{0, 0, 1., 1.}, slave, bodies[0]->contact_sides()[0]);
+    results.scene = &scene;
+    for (const auto &body : bodies)
+    {
+      body->prepare();
+      abut::BodyResult result;
+      result.body = body.get();
+      result.displacement = Eigen::VectorXd::Zero(body->space().n_dofs());
+      results.bodies.push_back(result);
+    }
+    for (const auto &dofs : abut::all_nodes(bodies[0]->space()).dofs)
+      results.bodies[0].displacement[dofs[1]] = -.125;
+    results.bodies[1].energy = 2.5;
+    results.bodies[1].reactions.by_boundary["bottom"] = abut::Vector2(0., 3.);
+
+    abut::PairResult contact;
+    contact.pair = pair.get();
+    contact.slave = &slave;
+    contact.gaps = Eigen::Vector2d(-.125, std::numeric_limits<double>::infinity());
+    contact.pressures = Eigen::Vector2d(7., 0.);
+    contact.force = abut::Vector2(0., -3.5);
+    contact.normal_force = 3.5;
+    contact.max_pressure = 7.;
+    results.pairs.push_back(contact);
+    results.iteration.steps = 4;
+    results.iteration.stopped_by = abut::StoppedBy::increment;
+    results.iteration.increment = 1e-3;
+    results.left_out = {"adaptation"};
+  }
+
+  SceneFile file{two_squares};
+  abut::Scene scene;
+  std::vector<std::unique_ptr<abut::Body>> bodies;
+  std::unique_ptr<abut::ContactPair> pair;
+  abut::Results results;
+};
+
+inline std::string content_of(const std::string &path)
+{
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+inline std::vector<std::string> lines_of(const std::string &text)
+{
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+inline std::size_t occurrences(const std::string &text, const std::string &part)
+{
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+    ++n;
+  return n;
+}
