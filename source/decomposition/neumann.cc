@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <sstream>
 
 namespace abut
@@ -48,11 +49,14 @@ namespace abut
     {
       if (!state.traction)
         return std::numeric_limits<double>::quiet_NaN();
+      const Eigen::VectorXd residual = pressures - *state.traction;
+      if (residual.isZero(0.))
+        return 0.; // u^k solves the problem, e.g. because nothing touches
       const Index n = problem.n_pressures();
-      const double square = (pressures - *state.traction).dot(next_response.head(n) - state.response.head(n));
-      if (square <= 0.)
-        return 0.;
-      return std::sqrt(square) / energy_norm(problem, loads, *state.traction, state.response);
+      const double square = residual.dot(next_response.head(n) - state.response.head(n));
+      const double bound =
+        std::sqrt(std::max(square, 0.)) / energy_norm(problem, loads, *state.traction, state.response);
+      return std::max(bound, std::numeric_limits<double>::epsilon()); // what lies below is round-off
     }
 
     /// Notices that a measure of the error has not fallen over the last 1/gamma steps (at least 10).
@@ -137,6 +141,9 @@ namespace abut
   {
     const double gamma = relaxation_;
     InterfaceState state = start;
+    // The bound needs a field: where the guess is none, the response to its traction takes its place.
+    if (!state.traction && parameters_.stopping_rule == StoppingRule::bound)
+      state = respond_to(compliance_, loads, problem_.pressures(state.response));
     StallDetector detector(gamma);
     SchemeResult result;
     result.relaxation = gamma;
@@ -167,9 +174,10 @@ namespace abut
       const bool stalled =
           !by_bound && !by_increment && detector.stalled(state.traction ? record.bound : record.increment);
       const bool exhausted = result.steps >= parameters_.maximum_steps;
-      if (!by_bound)
+      const bool stop = by_bound || by_increment || stalled || exhausted;
+      if (by_increment || !stop) // otherwise the state that the bound belongs to is kept
         state = std::move(next);
-      if (!(by_bound || by_increment || stalled || exhausted))
+      if (!stop)
         continue;
 
       result.increment = record.increment;

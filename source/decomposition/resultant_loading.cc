@@ -54,7 +54,7 @@ namespace abut
       b = c;
       at_b = at_c;
     }
-    if (std::abs(at_b) > close)
+    if (!(std::abs(at_b) <= close)) // also what is no number
       throw ComputationError(
           name + ": the displacement that carries the given force was not found to the tolerance; "
                  "lower Decomposition/Tolerance so that the forces are more accurate");

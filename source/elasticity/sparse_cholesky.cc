@@ -18,8 +18,10 @@ namespace abut
       : factor_(std::make_unique<Factor>())
   {
     factor_->cholesky.cholmod().print = 0;
-    factor_->cholesky.compute(matrix);
-    if (factor_->cholesky.info() != Eigen::Success)
+    const bool is_finite = matrix.coeffs().allFinite(); // CHOLMOD accepts NaN
+    if (is_finite)
+      factor_->cholesky.compute(matrix);
+    if (!is_finite || factor_->cholesky.info() != Eigen::Success)
       throw ComputationError(
           name +
           ": the stiffness matrix could not be factorised (not positive definite); look for cells "

@@ -88,7 +88,8 @@ namespace abut
         const double s = basis_.nodes()[static_cast<Eigen::Index>(i)];
         const unsigned int node = segment->nodes[i];
         node_points_[node] = point(*segment, s);
-        node_normals_[node] += averaged_normal(*segment, s);
+        const bool is_end = i == 0 || i + 1 == segment->nodes.size();
+        node_normals_[node] += is_end ? averaged_normal(*segment, s) : outward(tangent(*segment, s));
         node_arc_lengths_[node] = segment->arc_start + s * segment->length;
       }
     for (Vector2 &normal : node_normals_)

@@ -26,12 +26,12 @@ public:
   double last_error(const std::size_t column) const { return rows_.back().at(column); }
 
   /// Observed order between a row and the one before.
-  double rate(const std::size_t row, const std::size_t column) const
-  {
-    return std::log(error(row - 1, column) / error(row, column)) / std::log(sizes_[row - 1] / sizes_[row]);
-  }
+  double rate(const std::size_t row, const std::size_t column) const { return rate(row - 1, row, column); }
   /// Observed order of the finest pair.
   double last_rate(const std::size_t column) const { return rate(rows_.size() - 1, column); }
+
+  /// Observed order between the first and the last row.
+  double overall_rate(const std::size_t column) const { return rate(0, rows_.size() - 1, column); }
 
   void print() const
   {
@@ -56,6 +56,11 @@ public:
   }
 
 private:
+  double rate(const std::size_t coarse, const std::size_t fine, const std::size_t column) const
+  {
+    return std::log(error(coarse, column) / error(fine, column)) / std::log(sizes_[coarse] / sizes_[fine]);
+  }
+
   std::string title_;
   std::vector<std::string> columns_;
   std::vector<double> sizes_;

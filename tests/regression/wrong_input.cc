@@ -80,7 +80,7 @@ end
        lower_supports,
        "left: displacement: 0; bottom: normal displacement: 0",
        {},
-       {"displacement", "2"}},
+       {"`displacement` needs two expressions"}},
       {"bad_formula", "-1e-3", "-1e-3*(x", {}, {"Body upper", "-1e-3*(x"}},
       {"unknown_constant", "-1e-3", "-approach", {}, {"Body upper", "approach"}},
       {"formula_without_value", "-1e-3", "log(x - 5)", {}, {"Body upper", "log(x - 5)"}},

@@ -156,9 +156,12 @@ TEST(ElasticitySupports, ARoundBodyOnItsArcCanTurn)
         description.placement = Placement(1., false, 0., Vector2(3., 4.));
         set_conditions(description, "outer: normal displacement: 0");
         const Body body(description, {});
-        ASSERT_EQ(body.free_rigid_motions().size(), 1u)
+        EXPECT_EQ(body.free_rigid_motions().size(), 1u)
             << static_cast<int>(shape) << ", degree " << degree << ", cells " << cells;
-        EXPECT_EQ(body.free_rigid_motions()[0], "rotation about (3, 4)");
+        if (body.free_rigid_motions().size() == 1)
+        {
+          EXPECT_EQ(body.free_rigid_motions()[0], "rotation about (3, 4)");
+        }
       }
 }
 

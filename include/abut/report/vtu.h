@@ -12,7 +12,8 @@ namespace abut
    * A body's solution for ParaView (VTU, zlib), on the undeformed shape: the vector `displacement` ("Warp By
    * Vector" shows the deformed shape at any scale), `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz` and
    * `von_mises` from the gradient in each cell (discontinuous, tension positive), and the refinement `level`
-   * of the cells. Cells of degree p are cut into p x p, which follow curved sides.
+   * of the cells. Quadrilaterals of degree p are cut into p x p, which follow curved
+   * sides; triangles of degree 2 are VTK's quadratic ones.
    */
   std::string vtu(const Body &body, const Eigen::VectorXd &displacement);
 

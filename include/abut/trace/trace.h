@@ -46,7 +46,7 @@ namespace abut
     const std::vector<std::array<unsigned int, 2>> &node_dofs() const { return node_dofs_; }
 
     const std::vector<Vector2> &node_points() const { return node_points_; }
-    /// Averaged outward unit normals.
+    /// Outward unit normals: averaged at vertices, those of the geometry between them.
     const std::vector<Vector2> &node_normals() const { return node_normals_; }
     const std::vector<double> &node_arc_lengths() const { return node_arc_lengths_; }
     double length() const { return length_; }
