@@ -55,7 +55,7 @@ namespace abut
       const Index n = problem.n_pressures();
       const double square = residual.dot(next_response.head(n) - state.response.head(n));
       const double bound =
-        std::sqrt(std::max(square, 0.)) / energy_norm(problem, loads, *state.traction, state.response);
+          std::sqrt(std::max(square, 0.)) / energy_norm(problem, loads, *state.traction, state.response);
       return std::max(bound, std::numeric_limits<double>::epsilon()); // what lies below is round-off
     }
 

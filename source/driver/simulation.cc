@@ -53,10 +53,10 @@ namespace abut
               layer_compliance(body.material(), depth)};
     }
 
-    double max_von_mises(const Body &body, const Eigen::VectorXd &displacement)
+    double max_von_mises(const Body &body, const Eigen::VectorXd &deformation)
     {
       double largest = 0.;
-      visit_gradients(body.space(), body.space().quadrature(), displacement,
+      visit_gradients(body.space(), body.space().quadrature(), deformation,
                       [&](const Vector2 &, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
                         largest = std::max(largest, body.material().stress(gradient).von_mises());
                       });
@@ -198,7 +198,7 @@ namespace abut
       if (!result.converged())
         throw ComputationError(result.message);
       const Eigen::VectorXd contact = problem.contact_forces(index, result.traction);
-      return pressed->rigid_side_force(pressed->displacement(contact, delta), contact);
+      return pressed->rigid_side_force(pressed->deformation(contact, delta), contact);
     };
     double guess = std::abs(pressed->resultant()->force) / pressed->material().young_modulus;
     for (const ContactPair &pair : pairs_)
@@ -216,10 +216,11 @@ namespace abut
     const Eigen::VectorXd contact = problem.contact_forces(index, results.iteration.traction);
     BodyResult result;
     result.body = &body;
-    result.displacement = body.displacement(contact, results.rigid_displacement);
-    result.energy = body.strain_energy(result.displacement);
-    result.max_von_mises = max_von_mises(body, result.displacement);
-    result.reactions = body.reactions(result.displacement, contact);
+    result.deformation = body.deformation(contact, results.rigid_displacement);
+    result.displacement = result.deformation + body.rigid_motion(results.rigid_displacement);
+    result.energy = body.strain_energy(result.deformation);
+    result.max_von_mises = max_von_mises(body, result.deformation);
+    result.reactions = body.reactions(result.deformation, contact);
     return result;
   }
 

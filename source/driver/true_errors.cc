@@ -47,7 +47,7 @@ namespace abut
       else
         quadrature = dealii::QGauss<2>(space.degree() + 2);
       visit_gradients(
-          space, quadrature, result.displacement,
+          space, quadrature, result.deformation,
           [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
             const Material material = result.body->material();
             const Placement &placement = result.body->description().placement;

@@ -88,6 +88,8 @@ namespace abut
     const Vector2 centre = centre_of(nodes);
     free_rigid_motions_ = abut::free_rigid_motions(components, centre, extent_of(nodes, centre));
     supports_ = make_supports(name(), nodes.dofs, components);
+    side_motion_ = supports_.moving;
+    rigid_motions_ = split_off_rigid_motions(nodes, supports_);
     trace_to_dofs_ = trace_embedding(*this, space_->n_dofs());
     trace_to_free_ = supports_.free_directions.transpose() * trace_to_dofs_;
   }
@@ -145,11 +147,6 @@ namespace abut
     return solution;
   }
 
-  Eigen::VectorXd Body::prescribed(const double rigid_displacement) const
-  {
-    return supports_.fixed + rigid_displacement * supports_.moving;
-  }
-
   Eigen::MatrixXd Body::respond(const Eigen::MatrixXd &forces) const
   {
     return trace_to_free_.transpose() * solve(trace_to_free_ * forces);
@@ -158,10 +155,10 @@ namespace abut
   LoadResponse Body::respond_to_loads(const double rigid_displacement) const
   {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(trace_size());
-    const Eigen::VectorXd u = displacement(zero, rigid_displacement);
+    const Eigen::VectorXd deformed = deformation(zero, rigid_displacement);
     LoadResponse response;
-    response.displacement = trace_to_dofs_.transpose() * u;
-    response.energy_product = 2. * strain_energy(u);
+    response.displacement = trace_to_dofs_.transpose() * (deformed + rigid_motion(rigid_displacement));
+    response.energy_product = 2. * strain_energy(deformed);
     if (load_.isZero(0.))
       response.force_displacement = zero;
     else
@@ -170,18 +167,30 @@ namespace abut
     return response;
   }
 
-  Eigen::VectorXd Body::displacement(const Eigen::VectorXd &contact_forces,
-                                     const double rigid_displacement) const
+  Eigen::VectorXd Body::deformation(const Eigen::VectorXd &contact_forces,
+                                    const double rigid_displacement) const
   {
     const auto &t = supports_.free_directions;
-    const Eigen::VectorXd moved = prescribed(rigid_displacement);
-    return t * solve(t.transpose() * (load_ + trace_to_dofs_ * contact_forces - stiffness_ * moved)) + moved;
+    const Eigen::VectorXd prescribed = supports_.fixed + rigid_displacement * supports_.moving;
+    return t * solve(t.transpose() * (load_ + trace_to_dofs_ * contact_forces - stiffness_ * prescribed)) +
+           prescribed;
   }
 
-  Reactions Body::reactions(const Eigen::VectorXd &displacement, const Eigen::VectorXd &contact_forces) const
+  Eigen::VectorXd Body::rigid_motion(const double rigid_displacement) const
+  {
+    return rigid_motions_.fixed + rigid_displacement * rigid_motions_.moving;
+  }
+
+  Eigen::VectorXd Body::support_forces(const Eigen::VectorXd &deformation,
+                                       const Eigen::VectorXd &contact_forces) const
+  {
+    return stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
+  }
+
+  Reactions Body::reactions(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const
   {
     const Eigen::VectorXd contact = trace_to_dofs_ * contact_forces;
-    const Eigen::VectorXd support = stiffness_ * displacement - load_ - contact;
+    const Eigen::VectorXd support = support_forces(deformation, contact_forces);
     const Nodes nodes = all_nodes(*space_);
     Reactions result;
     double size = 0.;
@@ -213,14 +222,14 @@ namespace abut
     return result;
   }
 
-  double Body::rigid_side_force(const Eigen::VectorXd &displacement,
+  double Body::rigid_side_force(const Eigen::VectorXd &deformation,
                                 const Eigen::VectorXd &contact_forces) const
   {
-    return supports_.moving.dot(stiffness_ * displacement - load_ - trace_to_dofs_ * contact_forces);
+    return side_motion_.dot(support_forces(deformation, contact_forces));
   }
 
-  double Body::strain_energy(const Eigen::VectorXd &displacement) const
+  double Body::strain_energy(const Eigen::VectorXd &deformation) const
   {
-    return .5 * displacement.dot(stiffness_ * displacement);
+    return .5 * deformation.dot(stiffness_ * deformation);
   }
 } // namespace abut

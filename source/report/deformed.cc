@@ -58,7 +58,7 @@ namespace abut
       double area = 0.;
       std::size_t visited = 0;
       visit_gradients(
-          space, space.quadrature(), result.displacement,
+          space, space.quadrature(), result.deformation,
           [&](const Vector2 &, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
             double &mean = means[visited / space.quadrature().size()];
             mean += weight * material.stress(gradient).von_mises();

@@ -55,20 +55,21 @@ namespace abut
     }
   } // namespace
 
-  std::string vtu(const Body &body, const Eigen::VectorXd &displacement)
+  std::string vtu(const BodyResult &result)
   {
     using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
-    const Space &space = body.space();
-    const dealii::Vector<double> nodal(displacement.begin(), displacement.end());
+    const Space &space = result.body->space();
+    const dealii::Vector<double> displacement(result.displacement.begin(), result.displacement.end());
+    const dealii::Vector<double> deformation(result.deformation.begin(), result.deformation.end());
     const dealii::Vector<double> level = levels(space.mesh().triangulation);
-    const StressPostprocessor stress(body.material());
+    const StressPostprocessor stress(result.body->material());
 
     dealii::DataOut<2> data;
     data.attach_dof_handler(space.dof_handler());
     data.add_data_vector(
-        nodal, std::vector<std::string>(2, "displacement"), dealii::DataOut<2>::type_dof_data,
+        displacement, std::vector<std::string>(2, "displacement"), dealii::DataOut<2>::type_dof_data,
         std::vector<Interpretation>(2, dealii::DataComponentInterpretation::component_is_part_of_vector));
-    data.add_data_vector(nodal, stress);
+    data.add_data_vector(deformation, stress);
     data.add_data_vector(level, "level", dealii::DataOut<2>::type_cell_data);
     data.build_patches(space.mapping(), space.degree(), dealii::DataOut<2>::curved_inner_cells);
 

@@ -21,7 +21,7 @@ namespace abut
       for (const BodyResult &body : results.bodies)
       {
         files.push_back("solution_" + body.body->name() + ".vtu");
-        write_file(directory / files.back(), vtu(*body.body, body.displacement));
+        write_file(directory / files.back(), vtu(body));
       }
       write_file(directory / "solution.pvd", pvd(files));
     }

@@ -48,6 +48,15 @@ namespace
       EXPECT_NEAR(table.rate(row, stress), 1., .1);
   }
 
+  TEST(Layers, triangles_upon_quadrilaterals)
+  {
+    const ConvergenceTable table =
+        study("Upper layer in triangles", {"Body upper/Cell type=triangles"}, {64, 128});
+    EXPECT_NEAR(table.rate(1, stress), 1., .1);
+    EXPECT_LE(table.error(1, pressure), .009);
+    EXPECT_LE(table.error(1, force), 1e-3);
+  }
+
   TEST(Layers, nonmatching_meshes_against_the_series)
   {
     const SolvedScene scene("two-layers-rollers.prm", as_written); // 96 x 24 upon 128 x 32

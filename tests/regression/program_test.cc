@@ -29,7 +29,8 @@ TEST(Program, WritesTheFilesOfTheContract)
                                  "solution.pvd", "solution_upper.vtu", "solution_lower.vtu", "solution.svg"})
     EXPECT_TRUE(std::filesystem::exists(answer.directory + "/" + name)) << name;
   for (const auto &entry : std::filesystem::directory_iterator(answer.directory))
-    EXPECT_EQ(entry.path().filename().string().find("tmp"), std::string::npos) << "left behind: " << entry.path();
+    EXPECT_EQ(entry.path().filename().string().find("tmp"), std::string::npos)
+        << "left behind: " << entry.path();
   for (const std::string key : {"status", "stopped_by", "passes", "bodies", "contacts", "error", "true_error",
                                 "time_s", "peak_memory_mb", "left_out"})
     EXPECT_TRUE(answer.summary.contains(key)) << key;

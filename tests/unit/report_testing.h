@@ -32,6 +32,7 @@ protected:
       abut::BodyResult result;
       result.body = body.get();
       result.displacement = Eigen::VectorXd::Zero(body->space().n_dofs());
+      result.deformation = result.displacement;
       results.bodies.push_back(result);
     }
     for (const auto &dofs : abut::all_nodes(bodies[0]->space()).dofs)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/elasticity/prescribed.h>
+#include <abut/elasticity/rigid_motion.h>
 #include <abut/elasticity/sparse_cholesky.h>
 #include <abut/elasticity/trace_body.h>
 
@@ -62,18 +62,28 @@ namespace abut
     };
     PreparationTimes prepare();
 
-    /// The displacement of all nodes under loads, supports and contact forces.
-    Eigen::VectorXd displacement(const Eigen::VectorXd &contact_forces, double rigid_displacement) const;
+    /// The displacement of all nodes under loads, supports and contact forces, less the rigid motion.
+    Eigen::VectorXd deformation(const Eigen::VectorXd &contact_forces, double rigid_displacement) const;
+    /// The rigid motion that the supports prescribe (see RigidMotions): displacement = deformation + rigid
+    /// motion.
+    Eigen::VectorXd rigid_motion(double rigid_displacement) const;
+    /// The whole displacement of all nodes.
+    Eigen::VectorXd displacement(const Eigen::VectorXd &contact_forces, double rigid_displacement) const
+    {
+      return deformation(contact_forces, rigid_displacement) + rigid_motion(rigid_displacement);
+    }
     /// Forces of the supports, from the assembled stiffness.
-    Reactions reactions(const Eigen::VectorXd &displacement, const Eigen::VectorXd &contact_forces) const;
+    Reactions reactions(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const;
     /// Force of the rigid side on the body, along the direction of its resultant.
-    double rigid_side_force(const Eigen::VectorXd &displacement, const Eigen::VectorXd &contact_forces) const;
+    double rigid_side_force(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const;
     /// Strain energy u . K u / 2.
-    double strain_energy(const Eigen::VectorXd &displacement) const;
+    double strain_energy(const Eigen::VectorXd &deformation) const;
 
   private:
     void collect_sides();
-    Eigen::VectorXd prescribed(double rigid_displacement) const;
+    /// K u - f: what supports add to loads and contact forces, at every unknown.
+    Eigen::VectorXd support_forces(const Eigen::VectorXd &deformation,
+                                   const Eigen::VectorXd &contact_forces) const;
     Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;
 
     BodyDescription description_;
@@ -82,7 +92,9 @@ namespace abut
     std::vector<std::string> contact_side_names_;
     std::vector<Trace> contact_sides_;
     std::optional<Resultant> resultant_;
-    Supports supports_;
+    Supports supports_; // what is prescribed less the rigid motions
+    RigidMotions rigid_motions_;
+    Eigen::VectorXd side_motion_; // a unit displacement of the rigid side, zero elsewhere
     std::vector<std::string> free_rigid_motions_;
 
     Eigen::SparseMatrix<double> trace_to_dofs_; // n_dofs x trace_size

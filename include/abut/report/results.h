@@ -23,6 +23,7 @@ namespace abut
   {
     const Body *body = nullptr;
     Eigen::VectorXd displacement; ///< all unknowns
+    Eigen::VectorXd deformation;  ///< the same less the body's rigid motion: stresses come from this one
     double energy = 0.;           ///< strain energy
     double max_von_mises = 0.;    ///< over the Gauss points
     Reactions reactions;

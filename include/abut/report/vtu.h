@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/elasticity/body.h>
+#include <abut/report/results.h>
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace abut
    * of the cells. Quadrilaterals of degree p are cut into p x p, which follow curved
    * sides; triangles of degree 2 are VTK's quadratic ones.
    */
-  std::string vtu(const Body &body, const Eigen::VectorXd &displacement);
+  std::string vtu(const BodyResult &result);
 
   /// solution.pvd: names the files of all bodies as parts of one picture.
   std::string pvd(const std::vector<std::string> &vtu_files);
