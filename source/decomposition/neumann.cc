@@ -26,8 +26,8 @@ namespace abut
       {
         const Eigen::VectorXd now = problem.normal_displacements(u, a);
         const double change = (now - problem.normal_displacements(v, a)).norm();
-        if (change > 0.)
-          largest = std::max(largest, change / now.norm());
+        if (change > 0.) // a body that comes back to rest has changed wholly
+          largest = std::max(largest, now.norm() > 0. ? change / now.norm() : 1.);
       }
       return largest;
     }
@@ -42,30 +42,39 @@ namespace abut
       return std::sqrt(std::max(product, 0.));
     }
 
-    /// The bound of the state that a step starts from, relative; NaN where that state is no field.
-    double relative_bound(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
-                          const InterfaceState &state, const Eigen::VectorXd &pressures,
-                          const Eigen::VectorXd &next_response)
+    /// ||u~ - u^k||_A, the bound of the state that a step starts from; NaN where that state is no field.
+    double error_bound(const InterfaceProblem &problem, const InterfaceState &state,
+                       const Eigen::VectorXd &pressures, const Eigen::VectorXd &solved_response)
     {
       if (!state.traction)
         return std::numeric_limits<double>::quiet_NaN();
-      const Eigen::VectorXd residual = pressures - *state.traction;
-      if (residual.isZero(0.))
-        return 0.; // u^k solves the problem, e.g. because nothing touches
       const Index n = problem.n_pressures();
-      const double square = residual.dot(next_response.head(n) - state.response.head(n));
-      const double bound =
-          std::sqrt(std::max(square, 0.)) / energy_norm(problem, loads, *state.traction, state.response);
-      return std::max(bound, std::numeric_limits<double>::epsilon()); // what lies below is round-off
+      const double square = (pressures - *state.traction).dot((solved_response - state.response).head(n));
+      return std::sqrt(std::max(square, 0.));
     }
 
-    /// Notices that a measure of the error has not fallen over the last 1/gamma steps (at least 10).
+    /// The bound in terms of ||u^k||_A. What lies below round-off is round-off, unless the pressures agree
+    /// exactly, e.g. because nothing touches.
+    double relative_bound(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
+                          const InterfaceState &state, const Eigen::VectorXd &pressures, const double bound)
+    {
+      if (!state.traction || pressures == *state.traction)
+        return bound;
+      return std::max(bound / energy_norm(problem, loads, *state.traction, state.response),
+                      std::numeric_limits<double>::epsilon());
+    }
+
+    /// Steps over which a converging run's error falls visibly: 1/gamma, at least 10.
+    std::size_t stall_window(const double relaxation)
+    {
+      return static_cast<std::size_t>(std::max(10., std::ceil(1. / relaxation)));
+    }
+
+    /// Notices that a measure of the error has not fallen over a number of steps.
     class StallDetector
     {
     public:
-      explicit StallDetector(const double relaxation)
-          : window_(static_cast<std::size_t>(std::max(10., std::ceil(1. / relaxation))))
-      {}
+      explicit StallDetector(const std::size_t window) : window_(window) {}
       bool stalled(const double measure)
       {
         history_.push_back(measure);
@@ -75,7 +84,6 @@ namespace abut
         history_.pop_front();
         return measure > .99 * before;
       }
-      std::size_t window() const { return window_; }
 
     private:
       std::size_t window_;
@@ -136,73 +144,83 @@ namespace abut
       : problem_(problem), compliance_(compliance), parameters_(parameters), relaxation_(relaxation)
   {}
 
+  NeumannScheme::Step NeumannScheme::take_step(const InterfaceProblem::Loads &loads,
+                                               const InterfaceState &state, const unsigned int number) const
+  {
+    Step step;
+    step.pressures = problem_.pressures(state.response);
+    step.solved = respond_to(compliance_, loads, step.pressures); // u~ of (20)
+    step.next.response = relaxation_ * step.solved.response + (1. - relaxation_) * state.response; // (21)
+    if (state.traction)
+      step.next.traction = relaxation_ * step.pressures + (1. - relaxation_) * *state.traction;
+    step.bound = error_bound(problem_, state, step.pressures, step.solved.response);
+    step.record = {number, relative_change(problem_, step.next.response, state.response),
+                   relative_bound(problem_, loads, state, step.pressures, step.bound),
+                   problem_.weights().dot(step.pressures),
+                   step.pressures.size() > 0 ? step.pressures.maxCoeff() : 0.};
+    if (!step.solved.response.head(problem_.n_pressures()).allFinite() ||
+        !std::isfinite(step.record.increment))
+      throw ComputationError(
+          "The parallel Neumann scheme has left the range of the machine's numbers after " +
+          std::to_string(number) +
+          " steps; set Decomposition/Relaxation to automatic or to a smaller number");
+    return step;
+  }
+
+  bool NeumannScheme::reached(const StepRecord &record) const
+  {
+    const bool by_bound = parameters_.stopping_rule == StoppingRule::bound;
+    return (by_bound ? record.bound : record.increment) <= parameters_.tolerance;
+  }
+
+  SchemeResult NeumannScheme::finish(const InterfaceState &state, const Step &last,
+                                     const StoppedBy reason) const
+  {
+    SchemeResult result;
+    result.stopped_by = reason;
+    result.steps = last.record.step;
+    result.relaxation = relaxation_;
+    result.increment = last.record.increment;
+    result.iteration_error = last.record.bound;
+    // Without a field for u^k, the last solved displacement and its traction are a pair in equilibrium.
+    result.traction = state.traction ? *state.traction : last.pressures;
+    result.response = state.traction ? state.response : last.solved.response;
+    result.iterate = state.response;
+    if (reason == StoppedBy::increment)
+      result.message = accident_message(problem_, compliance_, relaxation_, last.pressures);
+    else if (reason == StoppedBy::stalled)
+      result.message =
+          stall_message(problem_, compliance_, relaxation_, stall_window(relaxation_), last.pressures);
+    else if (reason == StoppedBy::maximum_steps)
+      result.message =
+          "The parallel Neumann scheme has not reached the tolerance within Decomposition/Maximum steps = " +
+          std::to_string(parameters_.maximum_steps);
+    return result;
+  }
+
   SchemeResult NeumannScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                                     const StepObserver &observer) const
   {
-    const double gamma = relaxation_;
     InterfaceState state = start;
     // The bound needs a field: where the guess is none, the response to its traction takes its place.
     if (!state.traction && parameters_.stopping_rule == StoppingRule::bound)
       state = respond_to(compliance_, loads, problem_.pressures(state.response));
-    StallDetector detector(gamma);
-    SchemeResult result;
-    result.relaxation = gamma;
-    while (true)
+    StallDetector detector(stall_window(relaxation_));
+    for (unsigned int number = 1;; ++number)
     {
-      const Eigen::VectorXd pressures = problem_.pressures(state.response);
-      const InterfaceState solved = respond_to(compliance_, loads, pressures); // u~ of (20)
-      InterfaceState next{std::nullopt, gamma * solved.response + (1. - gamma) * state.response};
-      if (state.traction)
-        next.traction = gamma * pressures + (1. - gamma) * *state.traction;
-
-      const StepRecord record{++result.steps, relative_change(problem_, next.response, state.response),
-                              relative_bound(problem_, loads, state, pressures, solved.response),
-                              problem_.weights().dot(pressures),
-                              pressures.size() > 0 ? pressures.maxCoeff() : 0.};
-      if (!std::isfinite(record.increment) || !solved.response.head(problem_.n_pressures()).allFinite())
-        throw ComputationError(
-            "The parallel Neumann scheme has left the range of the machine's numbers after " +
-            std::to_string(record.step) +
-            " steps; set Decomposition/Relaxation to automatic or to a smaller number");
+      Step step = take_step(loads, state, number);
       if (observer)
-        observer(record);
-
-      const bool by_bound =
-          parameters_.stopping_rule == StoppingRule::bound && record.bound <= parameters_.tolerance;
-      const bool by_increment =
-          parameters_.stopping_rule == StoppingRule::increment && record.increment <= parameters_.tolerance;
-      const bool stalled =
-          !by_bound && !by_increment && detector.stalled(state.traction ? record.bound : record.increment);
-      const bool exhausted = result.steps >= parameters_.maximum_steps;
-      const bool stop = by_bound || by_increment || stalled || exhausted;
-      if (by_increment || !stop) // otherwise the state that the bound belongs to is kept
-        state = std::move(next);
-      if (!stop)
-        continue;
-
-      result.increment = record.increment;
-      result.iteration_error = record.bound;
-      // Without a field for u^k, the last solved displacement and its traction are a pair in equilibrium.
-      result.traction = state.traction ? *state.traction : pressures;
-      result.response = state.traction ? state.response : solved.response;
-      result.iterate = state.response;
-      if (by_bound)
-        result.stopped_by = StoppedBy::bound;
-      else if (by_increment)
-      {
-        result.stopped_by = StoppedBy::increment;
-        result.message = accident_message(problem_, compliance_, gamma, pressures);
-      }
-      else if (stalled)
-      {
-        result.stopped_by = StoppedBy::stalled;
-        result.message = stall_message(problem_, compliance_, gamma, detector.window(), pressures);
-      }
-      else
-        result.message = "The parallel Neumann scheme has not reached the tolerance within "
-                         "Decomposition/Maximum steps = " +
-                         std::to_string(parameters_.maximum_steps);
-      return result;
+        observer(step.record);
+      // The bound belongs to the state that the step began with, the increment to the one it has made.
+      if (reached(step.record) && parameters_.stopping_rule == StoppingRule::bound)
+        return finish(state, step, StoppedBy::bound);
+      if (reached(step.record))
+        return finish(step.next, step, StoppedBy::increment);
+      if (detector.stalled(state.traction ? step.bound : step.record.increment))
+        return finish(state, step, StoppedBy::stalled);
+      if (number >= parameters_.maximum_steps)
+        return finish(state, step, StoppedBy::maximum_steps);
+      state = std::move(step.next);
     }
   }
 } // namespace abut

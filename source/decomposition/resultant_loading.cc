@@ -42,7 +42,8 @@ namespace abut
 
     for (unsigned int i = 0; i < most_secants && std::abs(at_b) > close; ++i)
     {
-      const double c = b - at_b * (b - a) / (at_b - at_a);
+      // Every third time the middle, so that a strongly curved force does not keep one end for long.
+      const double c = i % 3 == 2 ? .5 * (a + b) : b - at_b * (b - a) / (at_b - at_a);
       const double at_c = force(c) - target;
       if (at_c * at_b < 0.)
       {

@@ -49,7 +49,7 @@ namespace abut
           static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side.boundary) - sides.begin());
       const Body &body = *bodies[index];
       const double depth = body.contact_depth(position);
-      return {index, position, depth / body.material().young_modulus,
+      return {index, position, depth, depth / body.material().young_modulus,
               layer_compliance(body.material(), depth)};
     }
 
@@ -202,7 +202,7 @@ namespace abut
     };
     double guess = std::abs(pressed->resultant()->force) / pressed->material().young_modulus;
     for (const ContactPair &pair : pairs_)
-      guess += std::max(0., pair.coupling().smallest_gap);
+      guess += std::max(1e-6 * pair.slave().depth, pair.coupling().smallest_gap);
     delta = find_rigid_displacement(force, pressed->resultant()->force, guess,
                                     std::max(10. * scene_.decomposition.tolerance, 1e-10),
                                     "Body " + pressed->name() + ", side " + pressed->resultant()->boundary);
@@ -246,6 +246,22 @@ namespace abut
     return result;
   }
 
+  std::optional<LimitDistance> Simulation::limit_distance(const InterfaceProblem &problem,
+                                                          const InterfaceSolver &solver,
+                                                          const Results &results) const
+  {
+    const SchemeResult &reached = results.iteration;
+    if (reached.stopped_by != StoppedBy::increment || !reached.converged() || !results.compliance_is_dense)
+      return {};
+    const SchemeResult limit = solver.limit(problem.loads(results.rigid_displacement), reached.traction);
+    if (!limit.converged())
+      return {};
+    double energy = 0.;
+    for (const BodyResult &body : results.bodies)
+      energy += 2. * body.energy;
+    return distance_from(limit, reached, problem, std::sqrt(energy));
+  }
+
   Results Simulation::run(const StepObserver &observer)
   {
     check_supports();
@@ -277,16 +293,7 @@ namespace abut
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       results.pairs.push_back(pair_result(i, problem, results.iteration));
 
-    if (results.iteration.stopped_by == StoppedBy::increment && results.compliance_is_dense &&
-        results.iteration.converged())
-    {
-      double energy = 0.;
-      for (const BodyResult &body : results.bodies)
-        energy += 2. * body.energy;
-      const SchemeResult limit =
-          solver->limit(problem.loads(results.rigid_displacement), results.iteration.traction);
-      results.limit_distance = distance_from(limit, results.iteration, problem, std::sqrt(energy));
-    }
+    results.limit_distance = limit_distance(problem, *solver, results);
     if (reference_)
       results.true_errors = true_errors(*reference_, results);
     results.left_out = left_out(scene_, results);

@@ -50,19 +50,9 @@ TEST(Extreme, StiffnessContrastOfAMillionMillion)
 
 TEST(Extreme, NearlyIncompressible)
 {
-  // The stiffness spans lambda/mu = 5e6: with some 1e2 of the mesh, round-off leaves 1e-7 of the
-  // displacement.
-  const std::vector<std::string> scene = {"Body upper/Poisson ratio=0.4999999",
-                                          "Body lower/Poisson ratio=0.4999999"};
-  const Answer too_much = patch(scene); // to 1e-12
-  EXPECT_EQ(too_much.status, 2);
-  EXPECT_NE(too_much.err.find("round-off"), std::string::npos) << too_much.err;
-  std::vector<std::string> possible = scene;
-  possible.emplace_back("Decomposition/Tolerance=1e-7");
-  const Answer answer = patch(possible);
-  ASSERT_EQ(answer.status, 0) << answer.err;
-  EXPECT_NEAR(answer.summary["contacts"][0]["max_pressure"].get<double>(),
-              patch_pressure(100., .4999999, 100., .4999999, .05), 1e-6 * .05);
+  // The layers of the initial guess are stiff without end here: the first steps only let its pressure decay.
+  expect_uniform(patch({"Body upper/Poisson ratio=0.4999999", "Body lower/Poisson ratio=0.4999999"}),
+                 patch_pressure(100., .4999999, 100., .4999999, .05));
 }
 
 TEST(Extreme, NegativePoissonRatio)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The paper's scene, section 5 of doc/method.md, on 64 x 16 cells in both bodies. The figures compared with
+// The paper's scene, doc/method.md, on 64 x 16 cells in both bodies. The figures compared with
 // were computed with an independent prototype before this code existed.
 
 #include <gtest/gtest.h>

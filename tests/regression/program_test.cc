@@ -7,6 +7,7 @@
 #include "program.h"
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace
 {
@@ -80,6 +81,28 @@ TEST(Program, ExplainsItself)
   const std::string parameters = run({"--print-parameters"}).out;
   for (const std::string name : {"Young modulus", "Penalty coefficient", "Relaxation", "Exact solution"})
     EXPECT_NE(parameters.find(name), std::string::npos) << name;
+}
+
+TEST(Program, TheReadmesFirstSceneRuns)
+{
+  std::istringstream readme(read_file(project_file("README.md")));
+  std::string scene;
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);)
+  {
+    inside = inside || line.find("set Bodies   = steel, nylon") != std::string::npos;
+    if (inside && !line.empty() && line[0] != ' ')
+      break;
+    if (inside)
+      scene += line + '\n';
+  }
+  const Answer answer = run({temporary_file("blocks.prm", scene)});
+  ASSERT_EQ(answer.status, 0) << answer.err << scene;
+  const auto &bodies = answer.summary["bodies"];
+  const double force = answer.summary["contacts"][0]["normal_force"];
+  EXPECT_GT(force, 0.);
+  EXPECT_NEAR(bodies[0]["reactions"]["top"][1].get<double>(), -force, 1e-9 * force);
+  EXPECT_NEAR(bodies[1]["reactions"]["bottom"][1].get<double>(), force, 1e-9 * force);
 }
 
 TEST(Program, OneBodyWithoutContact)

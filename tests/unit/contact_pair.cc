@@ -41,7 +41,7 @@ namespace
 
     ContactPair pair(const ContactDescription &contact, const std::size_t master_side = 0) const
     {
-      return ContactPair(contact, lower_placement, {0, 0, .25, .1}, {1, master_side, .75, .2},
+      return ContactPair(contact, lower_placement, {0, 0, 10., .25, .1}, {1, master_side, 10., .75, .2},
                          lower.contact_sides()[0], upper.contact_sides()[master_side]);
     }
 
@@ -117,7 +117,7 @@ TEST(ContactPair, CoverageOfAShiftedBlock)
 {
   const Body lower(block(1., 5, Placement()), {"top"});
   const Body upper(block(1., 3, Placement(1., false, 0., Vector2(3., 1.))), {"bottom"});
-  const ContactPair pair(description(), Placement(), {0, 0, 1., 1.}, {1, 0, 1., 1.}, lower.contact_sides()[0],
-                         upper.contact_sides()[0]);
+  const ContactPair pair(description(), Placement(), {0, 0, 1., 1., 1.}, {1, 0, 1., 1., 1.},
+                         lower.contact_sides()[0], upper.contact_sides()[0]);
   EXPECT_NEAR(pair.coverage(), .25, 1e-14);
 }

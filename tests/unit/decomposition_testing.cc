@@ -17,7 +17,7 @@ namespace abut
     {
       const std::size_t index = scene.body_index(name);
       const double depth = bodies[index]->contact_depth(0);
-      return {index, 0, depth / bodies[index]->material().young_modulus,
+      return {index, 0, depth, depth / bodies[index]->material().young_modulus,
               layer_compliance(bodies[index]->material(), depth)};
     }
   } // namespace

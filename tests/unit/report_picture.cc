@@ -96,8 +96,7 @@ namespace
 
   TEST_F(ReportedScene, VtuIsXmlWithAllArrays)
   {
-    const ptree piece = parse_xml(vtu(results.bodies[0]))
-                            .get_child("VTKFile.UnstructuredGrid.Piece");
+    const ptree piece = parse_xml(vtu(results.bodies[0])).get_child("VTKFile.UnstructuredGrid.Piece");
     EXPECT_EQ(piece.get<int>("<xmlattr>.NumberOfCells"), 1);
     std::map<std::string, std::string> arrays;
     for (const char *data : {"PointData", "CellData"})

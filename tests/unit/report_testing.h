@@ -23,8 +23,8 @@ protected:
                                                     std::vector<std::string>{side}));
     const abut::Trace &slave = bodies[1]->contact_sides()[0];
     pair = std::make_unique<abut::ContactPair>(
-        scene.contacts[0], scene.bodies[1].placement, abut::ContactBody{1, 0, 1., 1.},
-        abut::ContactBody{0, 0, 1., 1.}, slave, bodies[0]->contact_sides()[0]);
+        scene.contacts[0], scene.bodies[1].placement, abut::ContactBody{1, 0, 1., 1., 1.},
+        abut::ContactBody{0, 0, 1., 1., 1.}, slave, bodies[0]->contact_sides()[0]);
     results.scene = &scene;
     for (const auto &body : bodies)
     {

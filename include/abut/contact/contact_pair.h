@@ -12,6 +12,7 @@ namespace abut
   {
     std::size_t body;        ///< position in the scene
     std::size_t side;        ///< position among the body's contact sides
+    double depth;            ///< H_a of the body behind the side
     double flexibility;      ///< H_a / E_a
     double layer_compliance; ///< k_a of the elastic layer
   };
@@ -26,7 +27,8 @@ namespace abut
   class ContactPair
   {
   public:
-    /// Throws UserError where no part of the slave faces the master.
+    /// Throws UserError where no part of the slave faces the master, or where they overlap by more than the
+    /// bodies are deep: then the wrong sides were named.
     ContactPair(const ContactDescription &description, const Placement &slave_placement,
                 const ContactBody &slave, const ContactBody &master, const Trace &slave_trace,
                 const Trace &master_trace);

@@ -24,6 +24,20 @@ namespace abut
                        const StepObserver &observer) const override;
 
   private:
+    /// One pass of (20)-(21) and what it tells.
+    struct Step
+    {
+      Eigen::VectorXd pressures; ///< p^k
+      InterfaceState solved;     ///< u~
+      InterfaceState next;       ///< u^{k+1}
+      double bound;              ///< ||u~ - u^k||_A
+      StepRecord record;
+    };
+    Step take_step(const InterfaceProblem::Loads &loads, const InterfaceState &state,
+                   unsigned int number) const;
+    bool reached(const StepRecord &record) const;
+    SchemeResult finish(const InterfaceState &state, const Step &last, StoppedBy reason) const;
+
     const InterfaceProblem &problem_;
     const InterfaceCompliance &compliance_;
     DecompositionParameters parameters_;

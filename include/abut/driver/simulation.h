@@ -48,6 +48,10 @@ namespace abut
     PairResult pair_result(std::size_t index, const InterfaceProblem &problem,
                            const SchemeResult &iteration) const;
 
+    /// What a stop by the increment rule is worth; empty where the limit is not at hand.
+    std::optional<LimitDistance> limit_distance(const InterfaceProblem &problem,
+                                                const InterfaceSolver &solver, const Results &results) const;
+
     const Scene &scene_;
     std::vector<std::unique_ptr<Body>> bodies_;
     std::vector<ContactPair> pairs_;
