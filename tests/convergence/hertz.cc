@@ -9,7 +9,7 @@ namespace
 {
   using namespace abut;
 
-  constexpr double radius = 1.;
+  constexpr double roller_radius = 1.;
 
   /// What a run shows of Hertz's profile.
   struct Profile
@@ -29,7 +29,7 @@ namespace
   Profile solve(const double half_force, const double penalty)
   {
     const SolvedScene scene("hertz.prm", {"Body roller/Cells=128, 64", "Body block/Cells=192, 96",
-                                          "Constants/Values=" + text(radius) + ", " + text(half_force),
+                                          "Constants/Values=" + text(roller_radius) + ", " + text(half_force),
                                           "Contact interface/Penalty=" + text(penalty)});
     const PairResult &pair = scene.pair();
     const Eigen::VectorXd forces = pair.pair->coupling().weights.cwiseProduct(pair.pressures);
@@ -58,8 +58,8 @@ namespace
                            {"peak pressure", "half-width"});
     for (const double a : {.2, .2 * std::sqrt(.5), .1, .1 * std::sqrt(.5)})
     {
-      const double half_force = std::acos(-1.) * modulus * a * a / (8. * radius);
-      const HertzLineContact hertz(2. * half_force, radius, modulus);
+      const double half_force = std::acos(-1.) * modulus * a * a / (8. * roller_radius);
+      const HertzLineContact hertz(2. * half_force, roller_radius, modulus);
       const Profile computed = solve_without_penalty(hertz, half_force, modulus);
       const double peak = std::abs(computed.peak / hertz.max_pressure() - 1.);
       const double half_width = std::abs(computed.half_width / hertz.half_width() - 1.);

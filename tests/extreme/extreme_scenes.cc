@@ -29,7 +29,7 @@ namespace
     return 1e-3 / ((1. - nu1 * nu1) / e1 + (1. - nu2 * nu2) / e2 + .5 * c * (1. / e1 + 1. / e2));
   }
 
-  void expect_uniform(const Answer &answer, const double exact)
+  void expect_uniform(const Answer &answer, const double exact, const double largest_residual = 1e-10)
   {
     ASSERT_EQ(answer.status, 0) << answer.err;
     double largest = 0.;
@@ -37,7 +37,7 @@ namespace
       largest = std::max(largest, std::abs(pressure / exact - 1.));
     EXPECT_LT(largest, 1e-9);
     for (const auto &body : answer.summary["bodies"])
-      EXPECT_LT(body["equilibrium_residual"].get<double>(), 1e-10);
+      EXPECT_LT(body["equilibrium_residual"].get<double>(), largest_residual);
     std::cout << "largest relative deviation of the pressure " << largest << '\n';
   }
 } // namespace
@@ -51,8 +51,9 @@ TEST(Extreme, StiffnessContrastOfAMillionMillion)
 TEST(Extreme, NearlyIncompressible)
 {
   // The layers of the initial guess are stiff without end here: the first steps only let its pressure decay.
+  // Forces are differences of products with lambda = 5e6 mu: round-off leaves some 5e6 times 2e-16 of them.
   expect_uniform(patch({"Body upper/Poisson ratio=0.4999999", "Body lower/Poisson ratio=0.4999999"}),
-                 patch_pressure(100., .4999999, 100., .4999999, .05));
+                 patch_pressure(100., .4999999, 100., .4999999, .05), 5e-9);
 }
 
 TEST(Extreme, NegativePoissonRatio)

@@ -7,7 +7,6 @@ using namespace abut;
 
 namespace
 {
-  const double pi = std::acos(-1.);
   const std::vector<Placement> placements = {
       Placement(1., false, 0., {3., -2.}), Placement(1., true, 0., {0., 0.}),
       Placement(1., false, 90., {0., 1.}), Placement(2.5, true, 37., {1000., -3.}),

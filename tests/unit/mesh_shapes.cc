@@ -8,7 +8,6 @@ using namespace abut;
 
 namespace
 {
-  const double pi = std::acos(-1.);
 
   struct Expected
   {

@@ -6,11 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 
 namespace abut
 {
+  inline const double pi = std::acos(-1.);
+
   inline BodyDescription make_body(const Shape shape, const std::vector<double> &size,
                                    const std::array<unsigned int, 2> &cells)
   {

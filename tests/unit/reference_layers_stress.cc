@@ -31,19 +31,19 @@ namespace abut
     {
       return (along - layer.poisson_ratio * (across + axial)) / layer.young_modulus;
     }
-
-    struct LayersStress : testing::TestWithParam<unsigned int>
-    {
-      const LayersSliding exact{different_layers()};
-      const unsigned int body = GetParam();
-      const Layer &layer = exact.data().layers[body];
-      const double length = exact.data().length;
-      const double H = layer.thickness;
-      const double scale = exact.pressure(0.);
-
-      ExactStress at(double x, double y) const { return exact.stress(body, Vector2(x, y)); }
-    };
   } // namespace
+
+  struct LayersStress : testing::TestWithParam<unsigned int>
+  {
+    const LayersSliding exact{different_layers()};
+    const unsigned int body = GetParam();
+    const Layer &layer = exact.data().layers[body];
+    const double length = exact.data().length;
+    const double H = layer.thickness;
+    const double scale = exact.pressure(0.);
+
+    ExactStress at(double x, double y) const { return exact.stress(body, Vector2(x, y)); }
+  };
 
   TEST_P(LayersStress, is_in_equilibrium)
   {

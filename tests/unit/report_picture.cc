@@ -87,7 +87,7 @@ namespace
   {
     const Nodes nodes = all_nodes(bodies[1]->space());
     for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
-      results.bodies[1].displacement[nodes.dofs[i][0]] = 1e-3 * nodes.places[i].x();
+      results.bodies[1].deformation[nodes.dofs[i][0]] = 1e-3 * nodes.places[i].x();
     Eigen::Matrix2d gradient;
     gradient << 1e-3, 0., 0., 0.;
     const double expected = bodies[1]->material().stress(gradient).von_mises();

@@ -12,7 +12,7 @@ namespace
     return parse_conditions(text, {{"d", 0.25}}, "here");
   }
 
-  std::string error(const std::string &text)
+  std::string condition_error(const std::string &text)
   {
     return message_of([&] { parse(text); });
   }
@@ -50,9 +50,9 @@ TEST(Condition, resultants_have_one_component_or_two)
 {
   EXPECT_EQ(parse("top: resultant: -4*d")[0].expressions.size(), 1u);
   EXPECT_EQ(parse("top: resultant: 0, -d")[0].expressions.size(), 2u);
-  expect_phrase(error("top: resultant: 1, 2, 3"),
+  expect_phrase(condition_error("top: resultant: 1, 2, 3"),
                 "`resultant` needs one (along the outward normal) or two expressions, received 3");
-  expect_phrase(error("top: resultant: x"), "here: top: the resultant `x` depends on x or y");
+  expect_phrase(condition_error("top: resultant: x"), "here: top: the resultant `x` depends on x or y");
 }
 
 TEST(Condition, names_and_supports)
@@ -71,32 +71,33 @@ TEST(Condition, names_and_supports)
 
 TEST(Condition, refuses_what_it_cannot_read)
 {
-  expect_phrase(error("left: 0"), "here: received `left: 0`, a condition is written id: kind: expressions");
-  expect_phrase(error(": pressure: 0"), "names no boundary");
-  expect_phrase(error("left: glue: 0"),
+  expect_phrase(condition_error("left: 0"),
+                "here: received `left: 0`, a condition is written id: kind: expressions");
+  expect_phrase(condition_error(": pressure: 0"), "names no boundary");
+  expect_phrase(condition_error("left: glue: 0"),
                 "here: left: received `glue`, allowed are displacement, displacement x, "
                 "displacement y, normal displacement, tangential displacement, traction, "
                 "pressure, resultant");
-  expect_phrase(error("left: displacement: 0"), "`displacement` needs two expressions, received 1");
-  expect_phrase(error("left: pressure: 0, 1"), "`pressure` needs one expression, received 2");
-  expect_phrase(error("left: traction: 0, 1, 2"), "`traction` needs two expressions, received 3");
-  expect_phrase(error("left: pressure:"), "here: left: `` is not a formula: it is empty");
-  expect_phrase(error("left: pressure: e0"), "here: left: `e0` is not a formula");
+  expect_phrase(condition_error("left: displacement: 0"), "`displacement` needs two expressions, received 1");
+  expect_phrase(condition_error("left: pressure: 0, 1"), "`pressure` needs one expression, received 2");
+  expect_phrase(condition_error("left: traction: 0, 1, 2"), "`traction` needs two expressions, received 3");
+  expect_phrase(condition_error("left: pressure:"), "here: left: `` is not a formula: it is empty");
+  expect_phrase(condition_error("left: pressure: e0"), "here: left: `e0` is not a formula");
 }
 
 TEST(Condition, refuses_points_that_are_none_or_carry_too_much)
 {
-  expect_phrase(error("(0, 1: displacement: 0, 0"), "a point is written (x, y)");
-  expect_phrase(error("(0): displacement: 0, 0"), "a point is written (x, y)");
-  expect_phrase(error("(0, y): displacement: 0, 0"), "depends on x or y");
-  expect_phrase(error("(0, 1): pressure: 0"),
+  expect_phrase(condition_error("(0, 1: displacement: 0, 0"), "a point is written (x, y)");
+  expect_phrase(condition_error("(0): displacement: 0, 0"), "a point is written (x, y)");
+  expect_phrase(condition_error("(0, y): displacement: 0, 0"), "depends on x or y");
+  expect_phrase(condition_error("(0, 1): pressure: 0"),
                 "received `pressure` at a point, allowed are displacement, displacement x, displacement y");
 }
 
 TEST(Condition, refuses_the_same_kind_twice_in_one_place)
 {
-  expect_phrase(error("top: pressure: 1; left: pressure: 1; top: pressure: 2"),
+  expect_phrase(condition_error("top: pressure: 1; left: pressure: 1; top: pressure: 2"),
                 "here: `top: pressure` is given twice");
-  expect_phrase(error("(0, 1): displacement x: 1; (0,4*d): displacement x: 2"), "is given twice");
+  expect_phrase(condition_error("(0, 1): displacement x: 1; (0,4*d): displacement x: 2"), "is given twice");
   EXPECT_EQ(parse("top: displacement x: 1; top: displacement y: 1").size(), 2u);
 }

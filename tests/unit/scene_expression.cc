@@ -15,7 +15,7 @@ namespace
     return Expression(text, constants, "here")(point);
   }
 
-  std::string error(const std::string &text)
+  std::string expression_error(const std::string &text)
   {
     return message_of([&] { Expression(text, constants, "here"); });
   }
@@ -39,16 +39,17 @@ TEST(Expression, decides_with_if)
 TEST(Expression, refuses_at_once_what_is_no_formula)
 {
   for (const std::string text : {"", "x +", "sin(x", "z", "if(x<1, unknown, 2)", "1, 2", "1; 2", "x = 3"})
-    expect_phrase(error(text), "here: `" + text + "` is not a formula: ");
-  expect_phrase(error("q*x"), "`q*x` is not a formula: Unexpected token \"q\" found at position 0");
-  expect_phrase(error("1, 2"), "comma outside parentheses");
-  expect_phrase(error("if(x=1, 2, 3)"), "== compares");
+    expect_phrase(expression_error(text), "here: `" + text + "` is not a formula: ");
+  expect_phrase(expression_error("q*x"),
+                "`q*x` is not a formula: Unexpected token \"q\" found at position 0");
+  expect_phrase(expression_error("1, 2"), "comma outside parentheses");
+  expect_phrase(expression_error("if(x=1, 2, 3)"), "== compares");
 }
 
 TEST(Expression, prints_nothing_of_its_own_about_an_error)
 {
   testing::internal::CaptureStderr();
-  error("z");
+  expression_error("z");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
