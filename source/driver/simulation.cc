@@ -53,49 +53,6 @@ namespace abut
               layer_compliance(body.material(), depth)};
     }
 
-    double max_von_mises(const Body &body, const Eigen::VectorXd &deformation)
-    {
-      double largest = 0.;
-      visit_gradients(body.space(), body.space().quadrature(), deformation,
-                      [&](const Vector2 &, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
-                        largest = std::max(largest, body.material().stress(gradient).von_mises());
-                      });
-      return largest;
-    }
-
-    /// Distance of the reported state from the limit of the iteration.
-    LimitDistance distance_from(const SchemeResult &limit, const SchemeResult &reached,
-                                const InterfaceProblem &problem, const double energy_norm)
-    {
-      LimitDistance distance;
-      for (std::size_t a = 0; a < problem.bodies().size(); ++a)
-      {
-        const Eigen::VectorXd there = problem.normal_displacements(limit.response, a);
-        const double difference = (problem.normal_displacements(reached.iterate, a) - there).norm();
-        if (difference > 0.)
-          distance.displacement = std::max(distance.displacement, difference / there.norm());
-      }
-      const Index n = problem.n_pressures();
-      const double square =
-          (reached.traction - limit.traction).dot((reached.response - limit.response).head(n));
-      distance.energy = std::sqrt(std::max(square, 0.)) / energy_norm;
-      distance.peak_pressure = n > 0 ? limit.traction.maxCoeff() : 0.;
-      return distance;
-    }
-
-    std::vector<std::string> left_out(const Scene &scene, const Results &results)
-    {
-      std::vector<std::string> items = {"MPI and p4est (serial run)", "adaptation (uniform meshes)",
-                                        "boundary elements (no estimator asked for)",
-                                        "mortar coupling inside bodies (conforming meshes)"};
-      if (scene.contacts.empty())
-        items.emplace_back("contact (a scene without pairs)");
-      if (!results.compliance_is_dense)
-        items.emplace_back("dense interface compliance (solves are cheaper here)");
-      if (scene.reference.solution == ReferenceParameters::Solution::none)
-        items.emplace_back("true errors (no exact solution named)");
-      return items;
-    }
   } // namespace
 
   Simulation::Simulation(const Scene &scene) : scene_(scene)
@@ -180,10 +137,16 @@ namespace abut
     SchemeResult result;
     double &delta = results.rigid_displacement;
     const auto solve = [&] {
-      result = solver.solve(problem.loads(delta), start, observer);
-      if (!result.converged())
-        return;
-      start = result.traction;
+      const unsigned int steps_before =
+          result.steps; // a given force takes several solutions: one count for all
+      result = solver.solve(problem.loads(delta), start, [&](StepRecord record) {
+        record.step += steps_before;
+        if (observer)
+          observer(record);
+      });
+      result.steps += steps_before;
+      if (result.converged())
+        start = result.traction;
     };
     const Body *const pressed = resultant_body();
     if (pressed == nullptr)
@@ -207,59 +170,6 @@ namespace abut
                                     std::max(10. * scene_.decomposition.tolerance, 1e-10),
                                     "Body " + pressed->name() + ", side " + pressed->resultant()->boundary);
     return result;
-  }
-
-  BodyResult Simulation::body_result(const std::size_t index, const InterfaceProblem &problem,
-                                     const Results &results) const
-  {
-    const Body &body = *bodies_[index];
-    const Eigen::VectorXd contact = problem.contact_forces(index, results.iteration.traction);
-    BodyResult result;
-    result.body = &body;
-    result.deformation = body.deformation(contact, results.rigid_displacement);
-    result.displacement = result.deformation + body.rigid_motion(results.rigid_displacement);
-    result.energy = body.strain_energy(result.deformation);
-    result.max_von_mises = max_von_mises(body, result.deformation);
-    result.reactions = body.reactions(result.deformation, contact);
-    return result;
-  }
-
-  PairResult Simulation::pair_result(const std::size_t index, const InterfaceProblem &problem,
-                                     const SchemeResult &iteration) const
-  {
-    const ContactPair &pair = pairs_[index];
-    const Index offset = problem.pressure_offset(index), n = pair.n_multipliers();
-    const Eigen::VectorXd &weights = pair.coupling().weights;
-    PairResult result;
-    result.pair = &pair;
-    result.slave = &bodies_[pair.slave().body]->contact_sides()[pair.slave().side];
-    result.gaps = problem.gaps(iteration.response).segment(offset, n);
-    result.pressures = iteration.traction.segment(offset, n);
-    const Eigen::VectorXd forces = pair.coupling().slave.transpose() * result.pressures;
-    for (Index i = 0; i < forces.size(); i += 2)
-      result.force += forces.segment<2>(i);
-    result.normal_force = weights.dot(result.pressures);
-    result.max_pressure = result.pressures.maxCoeff();
-    result.contact_length = (result.gaps.array() < 0.).select(weights, 0.).sum();
-    result.min_gap = result.gaps.minCoeff();
-    result.max_penetration = std::max(0., -result.min_gap);
-    return result;
-  }
-
-  std::optional<LimitDistance> Simulation::limit_distance(const InterfaceProblem &problem,
-                                                          const InterfaceSolver &solver,
-                                                          const Results &results) const
-  {
-    const SchemeResult &reached = results.iteration;
-    if (reached.stopped_by != StoppedBy::increment || !reached.converged() || !results.compliance_is_dense)
-      return {};
-    const SchemeResult limit = solver.limit(problem.loads(results.rigid_displacement), reached.traction);
-    if (!limit.converged())
-      return {};
-    double energy = 0.;
-    for (const BodyResult &body : results.bodies)
-      energy += 2. * body.energy;
-    return distance_from(limit, reached, problem, std::sqrt(energy));
   }
 
   Results Simulation::run(const StepObserver &observer)
@@ -296,7 +206,7 @@ namespace abut
     results.limit_distance = limit_distance(problem, *solver, results);
     if (reference_)
       results.true_errors = true_errors(*reference_, results);
-    results.left_out = left_out(scene_, results);
+    results.left_out = left_out(results);
     return results;
   }
 } // namespace abut

@@ -27,7 +27,7 @@ namespace abut
     /// Throws UserError for a body whose supports leave a rigid motion free.
     void check_supports() const;
 
-    /// Throws ComputationError. The results refer to this simulation.
+    /// Calls `observer` after every step. Throws ComputationError. The results refer to this simulation.
     Results run(const StepObserver &observer);
 
     /// Cells and unknowns of all bodies together.
@@ -51,6 +51,9 @@ namespace abut
     /// What a stop by the increment rule is worth; empty where the limit is not at hand.
     std::optional<LimitDistance> limit_distance(const InterfaceProblem &problem,
                                                 const InterfaceSolver &solver, const Results &results) const;
+
+    /// What this scene did not need.
+    std::vector<std::string> left_out(const Results &results) const;
 
     const Scene &scene_;
     std::vector<std::unique_ptr<Body>> bodies_;
