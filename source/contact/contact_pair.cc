@@ -3,6 +3,7 @@
 #include <abut/user_error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace abut
@@ -30,7 +31,16 @@ namespace abut
                << "); check the side names and the bodies' places";
           throw UserError(text.str());
         }
-        return gap(point, geometric_gap);
+        const double initial_gap = gap(point, geometric_gap);
+        if (std::abs(initial_gap - geometric_gap) > depth)
+        {
+          std::ostringstream text;
+          text << "Contact " << name << "/Gap: received " << initial_gap << " where the sides are "
+               << geometric_gap << " apart, a difference of more than the bodies' depth (" << depth
+               << "); check the bodies' places";
+          throw UserError(text.str());
+        }
+        return initial_gap;
       };
     }
   } // namespace

@@ -3,6 +3,8 @@
 #include <abut/decomposition/neumann.h>
 #include <abut/decomposition/spectrum.h>
 
+#include <algorithm>
+
 namespace abut
 {
   namespace
@@ -35,10 +37,14 @@ namespace abut
   SchemeResult InterfaceSolver::limit(const InterfaceProblem::Loads &loads,
                                       const Eigen::VectorXd &start) const
   {
+    constexpr double most_products = 1e10; // of numbers: some ten seconds
+    const double entries =
+        static_cast<double>(problem_.n_pressures()) * static_cast<double>(problem_.response_size());
     DecompositionParameters to_the_end = parameters_;
     to_the_end.stopping_rule = StoppingRule::bound;
     to_the_end.tolerance = 1e-10;
-    to_the_end.maximum_steps = 1000000;
+    to_the_end.maximum_steps =
+        static_cast<unsigned int>(std::max(1e3, std::min(1e6, most_products / entries)));
     const double relaxation = automatic_relaxation(largest_eigenvalue(problem_, *compliance_));
     return NeumannScheme(problem_, *compliance_, to_the_end, relaxation)
         .solve(loads, respond_to(*compliance_, loads, start), {});

@@ -32,14 +32,15 @@ namespace abut
       return largest;
     }
 
-    /// ||u||_A for the displacement that answers the loads and pressures q.
-    double energy_norm(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
-                       const Eigen::VectorXd &pressures, const Eigen::VectorXd &response)
+    /// What a relative error refers to: ||u||_A, or the norm of that part of u which contact makes where it
+    /// is smaller. A body stretched far from the contact would else make any error of the contact look small.
+    double reference_norm(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
+                          const Eigen::VectorXd &pressures, const Eigen::VectorXd &response)
     {
       const Index n = problem.n_pressures();
-      const double product = loads.energy_product + 2. * pressures.dot(loads.force_gap) +
-                             pressures.dot(response.head(n) - loads.response.head(n));
-      return std::sqrt(std::max(product, 0.));
+      const double of_contact = pressures.dot((response - loads.response).head(n));
+      const double of_all = loads.energy_product + 2. * pressures.dot(loads.force_gap) + of_contact;
+      return std::sqrt(std::max(std::min(of_contact, of_all), 0.));
     }
 
     /// ||u~ - u^k||_A, the bound of the state that a step starts from; NaN where that state is no field.
@@ -53,15 +54,16 @@ namespace abut
       return std::sqrt(std::max(square, 0.));
     }
 
-    /// The bound in terms of ||u^k||_A. What lies below round-off is round-off, unless the pressures agree
-    /// exactly, e.g. because nothing touches.
+    /// The bound in terms of the reference norm. What lies below round-off is round-off, unless the pressures
+    /// agree exactly, e.g. because nothing touches.
     double relative_bound(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
                           const InterfaceState &state, const Eigen::VectorXd &pressures, const double bound)
     {
       if (!state.traction || pressures == *state.traction)
         return bound;
-      return std::max(bound / energy_norm(problem, loads, *state.traction, state.response),
-                      std::numeric_limits<double>::epsilon());
+      const double norm = reference_norm(problem, loads, *state.traction, state.response);
+      return norm > 0. ? std::max(bound / norm, std::numeric_limits<double>::epsilon())
+                       : std::numeric_limits<double>::infinity();
     }
 
     /// Steps over which a converging run's error falls visibly: 1/gamma, at least 10.

@@ -76,6 +76,7 @@ namespace abut
       Simulation simulation(scene);
       simulation.check_supports();
       make_output_directory(scene.output_directory);
+      remove_old_results(scene.output_directory);
       History history(simulation.counts());
       ProgressLine progress(out, &out == &std::cout && isatty(STDOUT_FILENO) != 0, quiet);
       Results results = simulation.run([&](const StepRecord &record) {
@@ -137,6 +138,13 @@ namespace abut
     catch (const std::bad_alloc &)
     {
       err << "abut: " << options->file << ": out of memory; use fewer cells (Body <name>/Cells)\n";
+      return ExitStatus::not_converged;
+    }
+    catch (const std::exception &error)
+    {
+      err << "abut: " << options->file
+          << ": ended by an error that the program does not know: " << error.what()
+          << ". No results were written\n";
       return ExitStatus::not_converged;
     }
   }

@@ -31,7 +31,6 @@ namespace abut
     /// The inward displacement of a face, one number all along it.
     double face_approach(const BodyDescription &body, const std::string &face)
     {
-      const Vector2 start(0., face == "top" ? body.size[1] : 0.), end(body.size[0], start.y());
       double inward = face == "top" ? -1. : 1.;
       const Condition *condition = find(body, face, ConditionKind::displacement_y);
       if (condition == nullptr)
@@ -42,9 +41,8 @@ namespace abut
       require(condition != nullptr, "the face " + body.name + ":" + face +
                                         " needs the condition 'displacement y' or 'normal displacement'");
       const Expression &value = condition->expressions.front();
-      require(value(start) == value(end) && value(.5 * (start + end)) == value(end),
-              "the displacement of " + body.name + ":" + face + " must be the same all along the face");
-      return inward * value(start);
+      require(value.is_constant(), "the displacement of " + body.name + ":" + face + " must be a constant");
+      return inward * value(Vector2::Zero());
     }
 
     void check_body(const BodyDescription &body, const std::string &contact_side)
@@ -55,10 +53,28 @@ namespace abut
       for (const std::string side : {"left", "right"})
       {
         const Condition *const roller = find(body, side, ConditionKind::normal_displacement);
-        require(roller != nullptr && roller->expressions.front()(Vector2::Zero()) == 0.,
+        require(roller != nullptr && roller->expressions.front().is_constant() &&
+                    roller->expressions.front()(Vector2::Zero()) == 0.,
                 body.name + ":" + side + " needs a roller (normal displacement: 0)");
       }
       require(body.conditions.size() == 3, "body " + body.name + " has further conditions");
+    }
+
+    /// The contact side of a body from its end x = 0 to the other one, in the plane.
+    std::array<Vector2, 2> contact_line(const Scene &scene, const Side &side)
+    {
+      const BodyDescription &body = scene.bodies[scene.body_index(side.body)];
+      const double y = side.boundary == "top" ? body.size[1] : 0.;
+      return {{body.placement.point_to_world(Vector2(0., y)),
+               body.placement.point_to_world(Vector2(body.size[0], y))}};
+    }
+
+    void check_places(const Scene &scene, const ContactDescription &contact)
+    {
+      const auto slave = contact_line(scene, contact.slave), master = contact_line(scene, contact.master);
+      const double distance = std::max((slave[0] - master[0]).norm(), (slave[1] - master[1]).norm());
+      require(distance <= 1e-9 * (slave[1] - slave[0]).norm(),
+              "the two contact sides must lie on one another, x = 0 on x = 0");
     }
 
     LayersSlidingData make_data(const Scene &scene)
@@ -77,6 +93,7 @@ namespace abut
       }
       data.length = scene.bodies[0].size[0];
       require(agree(data.length, scene.bodies[1].size[0]), "the two bodies must have the same width");
+      check_places(scene, contact);
       data.gap_curvature = scene.reference.gap_curvature;
       data.approach = scene.reference.approach;
       require(agree(approach, data.approach),

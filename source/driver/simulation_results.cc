@@ -3,6 +3,7 @@
 // What a solved interface means for bodies and pairs.
 
 #include <abut/driver/simulation.h>
+#include <abut/user_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,10 @@ namespace abut
     result.energy = body.strain_energy(result.deformation);
     result.max_von_mises = max_von_mises(body, result.deformation);
     result.reactions = body.reactions(result.deformation, contact);
+    if (!std::isfinite(result.energy) || !std::isfinite(result.max_von_mises))
+      throw ComputationError(
+          "Body " + body.name() +
+          ": energy or stresses have left the range of the machine's numbers; change the units");
     return result;
   }
 

@@ -92,6 +92,11 @@ namespace abut
     rigid_motions_ = split_off_rigid_motions(nodes, supports_);
     trace_to_dofs_ = trace_embedding(*this, space_->n_dofs());
     trace_to_free_ = supports_.free_directions.transpose() * trace_to_dofs_;
+    load_ = Eigen::VectorXd::Zero(space_->n_dofs());
+    add_body_force(*space_, description_, load_);
+    for (const Condition &condition : description_.conditions)
+      if (condition.kind == ConditionKind::traction || condition.kind == ConditionKind::pressure)
+        add_traction(sides_.at(condition.boundary), condition, description_.placement, load_);
   }
 
   Body::~Body() = default;
@@ -120,11 +125,6 @@ namespace abut
     PreparationTimes times;
     auto start = Clock::now();
     stiffness_ = assemble_stiffness(*space_, material());
-    load_ = Eigen::VectorXd::Zero(space_->n_dofs());
-    add_body_force(*space_, description_, load_);
-    for (const Condition &condition : description_.conditions)
-      if (condition.kind == ConditionKind::traction || condition.kind == ConditionKind::pressure)
-        add_traction(sides_.at(condition.boundary), condition, description_.placement, load_);
     ++counters_.assemblies;
     times.assemble = seconds_since(start);
 

@@ -157,7 +157,8 @@ namespace abut
       {
         const Trace &side = sides.at(condition.boundary);
         for (std::size_t i = 0; i < side.n_nodes(); ++i)
-          add(side.node_dofs()[i], side.node_points()[i], side.node_normals()[i]);
+          for (const Vector2 &normal : side.normals_at(i))
+            add(side.node_dofs()[i], side.node_points()[i], normal);
       }
     }
     return components;

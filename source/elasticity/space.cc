@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/elasticity/space.h>
 #include <abut/trace/make_trace.h>
+#include <abut/user_error.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
@@ -25,6 +26,9 @@ namespace abut
       : mesh_(std::move(mesh)), mapping_(mesh_->mapping(mesh_->curved ? degree : 1)),
         dof_handler_(mesh_->triangulation)
   {
+    if (mesh_->cell_type == CellType::triangles && degree > 2)
+      throw UserError("Body " + mesh_->name + "/Degree: degree " + std::to_string(degree) +
+                      " refused for triangles, allowed are 1 and 2");
     if (mesh_->cell_type == CellType::triangles)
       quadrature_ = dealii::QGaussSimplex<2>(degree + 1);
     else

@@ -36,14 +36,19 @@ namespace abut
     }
   } // namespace
 
+  void remove_old_results(const std::string &directory)
+  {
+    std::error_code ignored; // a file that cannot be removed cannot be replaced either, which is reported
+    for (const char *stale : {"summary.json", "solution.svg"})
+      std::filesystem::remove(std::filesystem::path(directory) / stale, ignored);
+  }
+
   Written write_all(const Results &results, const History &history, const std::string &directory,
                     const double total_seconds)
   {
     const auto start = std::chrono::steady_clock::now();
     const std::filesystem::path folder(directory);
-    std::error_code ignored; // a file that cannot be removed cannot be replaced either, which is reported
-    for (const char *stale : {"summary.json", "solution.svg"})
-      std::filesystem::remove(folder / stale, ignored);
+    remove_old_results(directory);
 
     Written written;
     write_file(folder / "parameters.prm", results.scene->parameters);

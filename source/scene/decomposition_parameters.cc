@@ -36,9 +36,9 @@ namespace abut
     double parse_tolerance(const dealii::ParameterHandler &prm)
     {
       const double value = prm.get_double("Tolerance");
-      if (!(value > 0.))
+      if (!(value > 0. && value < 1.))
         throw UserError("Decomposition/Tolerance: received `" + prm.get("Tolerance") +
-                        "`, allowed are numbers above 0");
+                        "`, allowed are numbers between 0 and 1, both excluded");
       return value;
     }
   } // namespace

@@ -111,8 +111,39 @@ namespace abut
                                       [&] { return ReferenceParameters::parse(prm, preamble.constants); });
     }
 
+    /// Whether a body is given with curved sides but meshed with straight ones.
+    bool is_polygon_for_a_curve(const BodyDescription &body)
+    {
+      return body.cell_type == CellType::triangles && body.shape != Shape::rectangle &&
+             body.shape != Shape::mesh_file;
+    }
+
+    void check_different(const ContactDescription &a, const ContactDescription &b)
+    {
+      const auto same = [](const Side &s, const Side &t) {
+        return s.body == t.body && s.boundary == t.boundary;
+      };
+      if ((same(a.slave, b.slave) && same(a.master, b.master)) ||
+          (same(a.slave, b.master) && same(a.master, b.slave)))
+        throw UserError("Contact " + b.name + ": its sides are those of Contact " + a.name +
+                        ", a pair of sides may stand in one contact only");
+    }
+
+    void check_geometric_gap(const Scene &scene, const ContactDescription &contact)
+    {
+      for (const Side &side : {contact.slave, contact.master})
+        if (!contact.gap && is_polygon_for_a_curve(scene.bodies[scene.body_index(side.body)]))
+          throw UserError("Contact " + contact.name +
+                          "/Gap: received `geometry`, but the triangles of body " + side.body +
+                          " follow its curved sides by chords; allowed are quadrilaterals (Body " +
+                          side.body + "/Cell type) or the gap as an expression");
+    }
+
     void check_contacts(const Scene &scene)
     {
+      for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          check_different(scene.contacts[j], scene.contacts[i]);
       for (const auto &contact : scene.contacts)
       {
         const std::string where = "Contact " + contact.name;
@@ -123,11 +154,27 @@ namespace abut
         if (contact.slave.body == contact.master.body && contact.slave.boundary == contact.master.boundary)
           throw UserError(where + ": slave and master are the same side `" + contact.slave.body + ":" +
                           contact.slave.boundary + "`, two different ones are needed");
+        check_geometric_gap(scene, contact);
       }
+    }
+
+    /// A side that carries a given resultant takes no other load: its support would carry that one too.
+    void check_loads_beside_resultant(const BodyDescription &body)
+    {
+      for (const Condition &resultant : body.conditions)
+        for (const Condition &load : body.conditions)
+          if (resultant.kind == ConditionKind::resultant && load.boundary == resultant.boundary &&
+              (load.kind == ConditionKind::traction || load.kind == ConditionKind::pressure))
+            throw UserError(
+                "Body " + body.name + "/Conditions: " + load.boundary + ": received `" +
+                to_string(load.kind) +
+                "` beside `resultant`, which is all that the side carries; allowed is one of them");
     }
 
     void check_resultants(const Scene &scene)
     {
+      for (const BodyDescription &body : scene.bodies)
+        check_loads_beside_resultant(body);
       std::size_t resultants = 0;
       for (const auto &body : scene.bodies)
         resultants += static_cast<std::size_t>(

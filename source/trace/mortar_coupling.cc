@@ -13,7 +13,12 @@ namespace abut
     using Index = Eigen::Index;
     using Triplets = std::vector<Eigen::Triplet<double>>;
 
-    constexpr double smallest_weight = 1e-6; // of the uncovered one
+    /// Of the uncovered weight. Multipliers on slivers are well defined for degree 1; for higher degrees they
+    /// grow.
+    double smallest_weight(const unsigned int degree)
+    {
+      return degree == 1 ? 1e-6 : .05;
+    }
 
     /// A quadrature point with what both curves show there.
     struct CouplingPoint
@@ -127,7 +132,7 @@ namespace abut
       void drop_uncovered_nodes()
       {
         const auto dropped = [&](const Index i) {
-          return result_.weights[i] < smallest_weight * whole_weights_[i];
+          return result_.weights[i] < smallest_weight(slave_.basis().degree()) * whole_weights_[i];
         };
         for (Triplets *triplets : {&slave_triplets_, &master_triplets_})
           triplets->erase(std::remove_if(triplets->begin(), triplets->end(),

@@ -73,6 +73,8 @@ namespace abut
         Vector2 &here = segment.end_normals[1], &there = next->end_normals[0];
         if (here.dot(there) > smallest_cosine)
           here = there = (here + there).normalized();
+        else
+          corner_normals_[segment.nodes.back()] = {{here, there}};
       }
   }
 
@@ -94,5 +96,13 @@ namespace abut
       }
     for (Vector2 &normal : node_normals_)
       normal.normalize();
+  }
+
+  std::vector<Vector2> Trace::normals_at(const std::size_t node) const
+  {
+    const auto corner = corner_normals_.find(node);
+    if (corner == corner_normals_.end())
+      return {node_normals_[node]};
+    return {corner->second[0], corner->second[1]};
   }
 } // namespace abut

@@ -76,6 +76,11 @@ TEST(Extreme, NumbersNearTheEndsOfTheRange)
                    patch_pressure(std::stod(modulus), .3, std::stod(modulus), .3, .05));
 }
 
+TEST(Extreme, ARigidBody)
+{
+  expect_uniform(patch({"Body upper/Young modulus=1e300"}), patch_pressure(1e300, .3, 100., .3, .05));
+}
+
 TEST(Extreme, FlatCells)
 {
   expect_uniform(patch({"Body upper/Cells=3, 300", "Body lower/Cells=200, 2"}),

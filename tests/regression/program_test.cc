@@ -2,6 +2,8 @@
 //
 // What the program answers when nothing is wrong.
 
+#include <abut/driver/command_line.h>
+
 #include <gtest/gtest.h>
 
 #include "program.h"
@@ -30,7 +32,7 @@ TEST(Program, WritesTheFilesOfTheContract)
                                  "solution.pvd", "solution_upper.vtu", "solution_lower.vtu", "solution.svg"})
     EXPECT_TRUE(std::filesystem::exists(answer.directory + "/" + name)) << name;
   for (const auto &entry : std::filesystem::directory_iterator(answer.directory))
-    EXPECT_EQ(entry.path().filename().string().find("tmp"), std::string::npos)
+    EXPECT_EQ(entry.path().filename().string().find(".partial"), std::string::npos)
         << "left behind: " << entry.path();
   for (const std::string key : {"status", "stopped_by", "passes", "bodies", "contacts", "error", "true_error",
                                 "time_s", "peak_memory_mb", "left_out"})
@@ -81,6 +83,35 @@ TEST(Program, ExplainsItself)
   const std::string parameters = run({"--print-parameters"}).out;
   for (const std::string name : {"Young modulus", "Penalty coefficient", "Relaxation", "Exact solution"})
     EXPECT_NE(parameters.find(name), std::string::npos) << name;
+}
+
+TEST(Program, AStretchedBystanderDoesNotLoosenTheTolerance)
+{
+  const std::string scene = read_file(project_file("prm/patch-test.prm"));
+  std::string crowded = scene;
+  crowded.replace(crowded.find("upper, lower"), 12, "upper, lower, bystander");
+  crowded += "subsection Body bystander\n  set Size = 1, 1\n  set Shift = 5, 0\n  set Cells = 2, 2\n"
+             "  set Young modulus = 1e9\n  set Poisson ratio = 0.3\n"
+             "  set Conditions = left: displacement: 0, 0; right: displacement: 1, 0\nend\n";
+  const Answer alone = run({temporary_file("alone.prm", scene)});
+  const Answer answer = run({temporary_file("crowded.prm", crowded)});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(answer.summary["steps"], alone.summary["steps"]);
+}
+
+TEST(Program, AFailedRunLeavesNoOldSummaryBehind)
+{
+  const Answer good = run({project_file("prm/patch-test.prm")});
+  ASSERT_EQ(good.status, 0) << good.err;
+  // The last `--output` counts: the second run goes into the first one's folder.
+  std::ostringstream out, err;
+  const std::string scene = project_file("prm/patch-test.prm");
+  const std::vector<const char *> arguments = {
+      "abut",     scene.c_str(),
+      "--set",    "Body upper/Conditions=left: normal displacement: 0; top: resultant: 0, 5",
+      "--output", good.directory.c_str()};
+  EXPECT_EQ(abut::run_command_line(static_cast<int>(arguments.size()), arguments.data(), out, err), 2);
+  EXPECT_FALSE(std::filesystem::exists(good.directory + "/summary.json"));
 }
 
 TEST(Program, TheReadmesFirstSceneRuns)

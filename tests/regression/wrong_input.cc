@@ -155,6 +155,32 @@ end
        "= 1e-3\n set Gap curvature = 1e-3\nend",
        {},
        {"layers sliding", "roller"}},
+      {"tolerance_of_everything",
+       "set Bodies = upper, lower",
+       "set Bodies = upper, lower\nsubsection Decomposition\n set Tolerance = 2\nend",
+       {},
+       {"Decomposition/Tolerance", "`2`"}},
+      {"same_pair_twice",
+       "set Contacts = interface",
+       "set Contacts = interface, again\nsubsection Contact again\n set Slave = upper:bottom\n set Master = "
+       "lower:top\nend",
+       {},
+       {"again", "interface", "one contact only"}},
+      {"load_beside_a_resultant",
+       "top: displacement y: -1e-3",
+       "top: resultant: -1; top: traction: 0, -5",
+       {},
+       {"Body upper", "top", "traction", "resultant"}},
+      {"gap_far_from_the_geometry",
+       "set Master = upper:bottom",
+       "set Master = upper:bottom\n  set Gap = 20",
+       {},
+       {"Contact interface/Gap", "20", "check the bodies' places"}},
+      {"load_without_value",
+       "top: displacement y: -1e-3",
+       "top: displacement y: -1e-3; right: pressure: sqrt(x - 5)",
+       {},
+       {"Body upper", "sqrt(x - 5)"}},
       {"override_of_nothing", "", "", {"--set", "Body upper/Colour=red"}, {"Colour"}},
       {"override_without_value", "", "", {"--set", "Body upper/Size"}, {"Body upper/Size", "="}},
       {"override_with_wrong_value", "", "", {"--set", "Decomposition/Relaxation=-1"}, {"Relaxation", "-1"}},
@@ -213,6 +239,41 @@ end
   TEST(WrongInput, MissingFile)
   {
     expect_refused(run({"nowhere.prm"}), {"nowhere.prm"});
+  }
+
+  /// A scene of the project with overrides that make it wrong.
+  void expect_scene_refused(const std::string &scene, const std::vector<std::string> &overrides,
+                            const std::vector<std::string> &expected)
+  {
+    std::vector<std::string> arguments = {project_file("prm/" + scene)};
+    for (const std::string &override : overrides)
+      arguments.insert(arguments.end(), {"--set", override});
+    expect_refused(run(arguments), expected);
+  }
+
+  TEST(WrongInput, ChordsForTheGapOfCurves)
+  {
+    expect_scene_refused("shrink-fit.prm", {"Body disc/Cell type=triangles"}, {"geometry", "disc", "chords"});
+  }
+
+  TEST(WrongInput, TrianglesOfDegreeThreeFromAFile)
+  {
+    expect_refused(run({temporary_file("scene.prm", good_file), "--set", "Body lower/Degree=3", "--set",
+                        "Body lower/Mesh file=" + project_file("tests/data/triangles_4_1.msh")}),
+                   {"Body lower", "degree 3", "triangles"});
+  }
+
+  TEST(WrongInput, ExactSolutionOfAnotherScene)
+  {
+    const std::vector<std::string> expected = {"layers sliding"};
+    expect_scene_refused("two-layers-rollers.prm", {"Body upper/Shift=1, 1"}, expected);
+    expect_scene_refused("two-layers-rollers.prm", {"Body upper/Scale=2"}, expected);
+    expect_scene_refused("two-layers-rollers.prm",
+                         {"Body lower/Conditions=left: normal displacement: 1e-3*y; right: normal "
+                          "displacement: 0; bottom: normal displacement: 0"},
+                         expected);
+    expect_scene_refused("two-layers-rollers.prm",
+                         {"Constants/Values=1e-3, 1.4e-3", "Reference/Approach=1.366e-3"}, expected);
   }
 
   TEST(WrongInput, MeshOfTrianglesAndQuadrilaterals)

@@ -147,4 +147,8 @@ TEST(TraceCurve, NormalsAreAveragedAtGentleCornersOnly)
   EXPECT_LT((gentle.segments()[1].end_normals[0] - bisector).norm(), 1e-15);
   EXPECT_LT((sharp.segments()[0].end_normals[1] - Vector2(0., -1.)).norm(), 1e-15);
   EXPECT_LT((sharp.segments()[1].end_normals[1] - sharp.segments()[1].end_normals[0]).norm(), 1e-15);
+  ASSERT_EQ(gentle.normals_at(1).size(), 1u);
+  ASSERT_EQ(sharp.normals_at(1).size(), 2u); // a roller around a corner holds the node in both directions
+  EXPECT_LT((sharp.normals_at(1)[0] - Vector2(0., -1.)).norm(), 1e-15);
+  EXPECT_LT((sharp.normals_at(1)[1] - sharp.segments()[1].end_normals[0]).norm(), 1e-15);
 }

@@ -22,8 +22,8 @@ namespace abut
     SchemeResult solve(const InterfaceProblem::Loads &loads, const std::optional<Eigen::VectorXd> &start,
                        const StepObserver &observer) const;
 
-    /// The limit of the iteration on the same mesh, to a bound of 1e-10: cheap where the compliance is a
-    /// matrix.
+    /// The limit of the iteration on the same mesh, to a bound of 1e-10. Not converged where that would take
+    /// more than some ten seconds.
     SchemeResult limit(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &start) const;
 
     const InterfaceCompliance &compliance() const { return *compliance_; }

@@ -51,7 +51,9 @@ namespace abut
     Eigen::VectorXd iterate;
     unsigned int steps = 0;
     StoppedBy stopped_by = StoppedBy::maximum_steps;
-    /// ||u - u_theta||_A / ||u||_A is at most this (energy norm, same mesh); NaN where there is no bound.
+    /// ||u - u_theta||_A is at most this times the smaller of ||u||_A and the norm of the part of u that
+    /// contact makes (energy norm, same mesh). NaN where there is no bound; after the increment rule it
+    /// belongs to the iterate before the last, which for gamma < gamma* is no better.
     double iteration_error = std::numeric_limits<double>::quiet_NaN();
     double increment = 0.;
     double relaxation = 0.; ///< gamma

@@ -30,8 +30,8 @@ namespace abut
 
   /**
    * An elastic body by finite elements: mesh, space, supports, stiffness and its Cholesky factor, made once
-   * and used in every step. Construction reads and checks everything (UserError); nothing is assembled before
-   * `prepare`.
+   * and used in every step. Construction reads and checks everything, loads included (UserError); the
+   * stiffness is assembled by `prepare`.
    */
   class Body : public TraceBody
   {

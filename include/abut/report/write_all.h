@@ -16,6 +16,9 @@ namespace abut
     std::vector<std::string> left_out; ///< files that were not written, and why
   };
 
+  /// Removes an earlier run's summary and picture: they would speak for a run that ends without results.
+  void remove_old_results(const std::string &directory);
+
   /**
    * Writes all files of a run into an existing folder (see `make_output_directory`), each whole or not at
    * all. An old summary.json goes first and the new one comes last: where it is, the rest is complete and

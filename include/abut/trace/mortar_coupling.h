@@ -18,9 +18,8 @@ namespace abut
    * reversed, to the other.
    *
    * On a segment that the master covers in part, the multipliers are dual on the covered part. A node whose
-   * covered weight is less than 1e-6 of its whole one has no multiplier (its rows and weight are zero). For
-   * degrees above 1 that can happen to nodes of partly covered segments: choose the side that is covered
-   * wholly as slave.
+   * covered weight is less than 1e-6 of its whole one (5 % for degrees above 1) has no multiplier: its rows
+   * and weight are zero. Choose the side that is covered wholly as slave.
    */
   struct MortarCoupling
   {

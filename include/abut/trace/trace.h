@@ -5,6 +5,7 @@
 #include <abut/vector2.h>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace abut
@@ -48,6 +49,8 @@ namespace abut
     const std::vector<Vector2> &node_points() const { return node_points_; }
     /// Outward unit normals: averaged at vertices, those of the geometry between them.
     const std::vector<Vector2> &node_normals() const { return node_normals_; }
+    /// The outward unit normals at a node: one, or two where the side turns by 45 degrees or more.
+    std::vector<Vector2> normals_at(std::size_t node) const;
     const std::vector<double> &node_arc_lengths() const { return node_arc_lengths_; }
     double length() const { return length_; }
 
@@ -68,6 +71,7 @@ namespace abut
     std::vector<std::array<unsigned int, 2>> node_dofs_;
     std::vector<Vector2> node_points_;
     std::vector<Vector2> node_normals_;
+    std::map<std::size_t, std::array<Vector2, 2>> corner_normals_;
     std::vector<double> node_arc_lengths_;
     double length_ = 0.;
   };
