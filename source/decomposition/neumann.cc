@@ -84,7 +84,7 @@ namespace abut
           return false;
         const double before = history_.front();
         history_.pop_front();
-        return measure > .99 * before;
+        return !(measure < .99 * before); // also for zeros, which round-off makes
       }
 
     private:
