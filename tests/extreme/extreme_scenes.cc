@@ -12,15 +12,11 @@ namespace
 {
   using abut::testing::Answer;
   using abut::testing::column;
-  using abut::testing::project_file;
-  using abut::testing::run;
+  using abut::testing::run_scene;
 
   Answer patch(const std::vector<std::string> &overrides)
   {
-    std::vector<std::string> arguments = {project_file("prm/patch-test.prm")};
-    for (const std::string &override : overrides)
-      arguments.insert(arguments.end(), {"--set", override});
-    return run(arguments);
+    return run_scene("patch-test", overrides);
   }
 
   /// p = Delta/(sum (1 - nu^2) H/E + theta), theta = (c/2) sum H/E, for blocks of height 1 and approach 1e-3.

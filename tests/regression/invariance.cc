@@ -11,8 +11,7 @@
 namespace
 {
   using abut::testing::Answer;
-  using abut::testing::project_file;
-  using abut::testing::run;
+  using abut::testing::run_scene;
 
   /// A way of stating the scene, with its units of length and stress in terms of the file's.
   struct View
@@ -43,10 +42,7 @@ namespace
 
   Answer look(const View &view)
   {
-    std::vector<std::string> arguments = {project_file("prm/two-layers-rollers.prm")};
-    for (const std::string &override : view.overrides)
-      arguments.insert(arguments.end(), {"--set", override});
-    return run(arguments);
+    return run_scene("two-layers-rollers", view.overrides);
   }
 
   /// Results in units of the view.

@@ -12,8 +12,7 @@ namespace
 {
   using abut::testing::Answer;
   using abut::testing::column;
-  using abut::testing::project_file;
-  using abut::testing::run;
+  using abut::testing::run_scene;
 
   struct Patch
   {
@@ -36,10 +35,7 @@ namespace
 
   TEST_P(PatchTest, PressureIsUniform)
   {
-    std::vector<std::string> arguments = {project_file("prm/patch-test.prm")};
-    for (const std::string &override : GetParam().overrides)
-      arguments.insert(arguments.end(), {"--set", override});
-    const Answer answer = run(arguments);
+    const Answer answer = run_scene("patch-test", GetParam().overrides);
     ASSERT_EQ(answer.status, 0) << answer.err;
     const double exact = 1e-3 / (2. * (1. - .3 * .3) / 100. + .05 / 100.);
     double largest = 0.;
@@ -73,7 +69,7 @@ namespace
 
   TEST_P(Balance, ReactionsCarryTheContact)
   {
-    const Answer answer = run({project_file("prm/" + GetParam() + ".prm")});
+    const Answer answer = run_scene(GetParam());
     ASSERT_EQ(answer.status, 0) << answer.err;
     for (const auto &body : answer.summary["bodies"])
     {
@@ -94,7 +90,7 @@ namespace
 
   TEST(ThreeBodies, TheGivenForceIsCarried)
   {
-    const Answer answer = run({project_file("prm/three-bodies.prm")});
+    const Answer answer = run_scene("three-bodies");
     ASSERT_EQ(answer.status, 0) << answer.err;
     const auto &contacts = answer.summary["contacts"];
     EXPECT_NEAR(contacts[1]["normal_force"].get<double>(), 60., 60. * 2e-5);

@@ -69,6 +69,14 @@ namespace abut::testing
     return answer;
   }
 
+  Answer run_scene(const std::string &scene, const std::vector<std::string> &overrides)
+  {
+    std::vector<std::string> arguments = {project_file("prm/" + scene + ".prm")};
+    for (const std::string &override : overrides)
+      arguments.insert(arguments.end(), {"--set", override});
+    return run(arguments);
+  }
+
   std::string project_file(const std::string &name)
   {
     return std::string(ABUT_SOURCE_DIR) + "/" + name;

@@ -13,6 +13,7 @@ namespace
   using abut::testing::Answer;
   using abut::testing::project_file;
   using abut::testing::run;
+  using abut::testing::run_scene;
   using abut::testing::temporary_file;
 
   const std::string good_file = R"(
@@ -245,15 +246,12 @@ end
   void expect_scene_refused(const std::string &scene, const std::vector<std::string> &overrides,
                             const std::vector<std::string> &expected)
   {
-    std::vector<std::string> arguments = {project_file("prm/" + scene)};
-    for (const std::string &override : overrides)
-      arguments.insert(arguments.end(), {"--set", override});
-    expect_refused(run(arguments), expected);
+    expect_refused(run_scene(scene, overrides), expected);
   }
 
   TEST(WrongInput, ChordsForTheGapOfCurves)
   {
-    expect_scene_refused("shrink-fit.prm", {"Body disc/Cell type=triangles"}, {"geometry", "disc", "chords"});
+    expect_scene_refused("shrink-fit", {"Body disc/Cell type=triangles"}, {"geometry", "disc", "chords"});
   }
 
   TEST(WrongInput, TrianglesOfDegreeThreeFromAFile)
@@ -266,13 +264,13 @@ end
   TEST(WrongInput, ExactSolutionOfAnotherScene)
   {
     const std::vector<std::string> expected = {"layers sliding"};
-    expect_scene_refused("two-layers-rollers.prm", {"Body upper/Shift=1, 1"}, expected);
-    expect_scene_refused("two-layers-rollers.prm", {"Body upper/Scale=2"}, expected);
-    expect_scene_refused("two-layers-rollers.prm",
+    expect_scene_refused("two-layers-rollers", {"Body upper/Shift=1, 1"}, expected);
+    expect_scene_refused("two-layers-rollers", {"Body upper/Scale=2"}, expected);
+    expect_scene_refused("two-layers-rollers",
                          {"Body lower/Conditions=left: normal displacement: 1e-3*y; right: normal "
                           "displacement: 0; bottom: normal displacement: 0"},
                          expected);
-    expect_scene_refused("two-layers-rollers.prm",
+    expect_scene_refused("two-layers-rollers",
                          {"Constants/Values=1e-3, 1.4e-3", "Reference/Approach=1.366e-3"}, expected);
   }
 
