@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/true_errors.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <cmath>
 
 namespace abut
@@ -16,24 +14,11 @@ namespace abut
 
       void add(const Material &material, const Stress &computed, const Stress &exact, const double weight)
       {
-        const Stress error{computed.xx - exact.xx, computed.yy - exact.yy, computed.xy - exact.xy,
-                           computed.zz - exact.zz};
-        energy_error += weight * energy_density(material, error);
-        energy += weight * energy_density(material, exact);
-        stress_error += weight * square(error);
-        stress += weight * square(exact);
-      }
-
-      static double square(const Stress &s)
-      {
-        return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2. * s.xy * s.xy;
-      }
-
-      /// sigma : C^-1 sigma, plane strain.
-      static double energy_density(const Material &material, const Stress &s)
-      {
-        const double trace = s.xx + s.yy + s.zz, nu = material.poisson_ratio;
-        return ((1. + nu) * square(s) - nu * trace * trace) / material.young_modulus;
+        const Stress error = computed - exact;
+        energy_error += weight * material.energy_density(error);
+        energy += weight * material.energy_density(exact);
+        stress_error += weight * error.square();
+        stress += weight * exact.square();
       }
     };
 
@@ -41,13 +26,8 @@ namespace abut
                   Squares &squares)
     {
       const Space &space = result.body->space();
-      dealii::Quadrature<2> quadrature;
-      if (space.mesh().cell_type == CellType::triangles)
-        quadrature = dealii::QGaussSimplex<2>(space.degree() + 2);
-      else
-        quadrature = dealii::QGauss<2>(space.degree() + 2);
       visit_gradients(
-          space, quadrature, result.deformation,
+          space, gauss_rule(space, space.degree() + 2), result.deformation,
           [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
             const Material material = result.body->material();
             const Placement &placement = result.body->description().placement;

@@ -75,6 +75,14 @@ namespace abut
     return stiffness;
   }
 
+  Vector2 body_force(const BodyDescription &body, const Vector2 &point)
+  {
+    if (body.body_force.empty())
+      return Vector2::Zero();
+    const Vector2 own = body.placement.point_to_own(point);
+    return body.placement.direction_to_world(Vector2(body.body_force[0](own), body.body_force[1](own)));
+  }
+
   void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load)
   {
     if (body.body_force.empty())
@@ -91,9 +99,7 @@ namespace abut
       for (const unsigned int q : values.quadrature_point_indices())
       {
         const auto p = values.quadrature_point(q);
-        const Vector2 own = body.placement.point_to_own(Vector2(p[0], p[1]));
-        const Vector2 force =
-            body.placement.direction_to_world(Vector2(body.body_force[0](own), body.body_force[1](own)));
+        const Vector2 force = body_force(body, Vector2(p[0], p[1]));
         for (const unsigned int i : values.dof_indices())
           load[static_cast<Index>(dofs[i])] +=
               force[fe.system_to_component_index(i).first] * values.shape_value(i, q) * values.JxW(q);
@@ -114,7 +120,7 @@ namespace abut
   void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
                     Eigen::VectorXd &load)
   {
-    const GaussRule rule(side.basis().degree() + 3);
+    const GaussRule rule = GaussRule::for_singular_ends(16);
     for (const Segment &segment : side.segments())
       for (Index q = 0; q < rule.points.size(); ++q)
       {

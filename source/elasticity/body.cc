@@ -80,29 +80,26 @@ namespace abut
         space_(std::make_unique<Space>(make_mesh(description), description.degree)),
         contact_side_names_(contact_sides)
   {
-    ++counters_.meshes;
-    collect_sides();
-    resultant_ = find_resultant(description_, sides_);
-    const std::vector<PrescribedComponent> components = prescribed_components(description_, sides_, *space_);
-    const Nodes nodes = all_nodes(*space_);
-    const Vector2 centre = centre_of(nodes);
-    free_rigid_motions_ = abut::free_rigid_motions(components, centre, extent_of(nodes, centre));
-    supports_ = make_supports(name(), nodes.dofs, components);
-    side_motion_ = supports_.moving;
-    rigid_motions_ = split_off_rigid_motions(nodes, supports_);
-    trace_to_dofs_ = trace_embedding(*this, space_->n_dofs());
-    trace_to_free_ = supports_.free_directions.transpose() * trace_to_dofs_;
-    load_ = Eigen::VectorXd::Zero(space_->n_dofs());
-    add_body_force(*space_, description_, load_);
-    for (const Condition &condition : description_.conditions)
-      if (condition.kind == ConditionKind::traction || condition.kind == ConditionKind::pressure)
-        add_traction(sides_.at(condition.boundary), condition, description_.placement, load_);
+    set_up();
   }
 
   Body::~Body() = default;
 
+  void Body::set_up()
+  {
+    ++counters_.meshes;
+    collect_sides();
+    resultant_ = find_resultant(description_, sides_);
+    set_up_supports();
+    trace_to_dofs_ = trace_embedding(*this, space_->n_dofs());
+    trace_to_free_ = supports_.free_directions.transpose() * trace_to_dofs_;
+    collect_loads();
+  }
+
   void Body::collect_sides()
   {
+    sides_.clear();
+    contact_sides_.clear();
     const auto side = [&](const std::string &boundary) -> const Trace & {
       const auto id = boundary_id(space_->mesh(), boundary);
       return sides_.try_emplace(boundary, space_->trace(id)).first->second;
@@ -114,10 +111,49 @@ namespace abut
       contact_sides_.push_back(side(boundary));
   }
 
+  void Body::set_up_supports()
+  {
+    const std::vector<PrescribedComponent> components = prescribed_components(description_, sides_, *space_);
+    const Nodes nodes = free_nodes(*space_);
+    const Vector2 centre = centre_of(nodes);
+    free_rigid_motions_ = abut::free_rigid_motions(components, centre, extent_of(nodes, centre));
+    supports_ = make_supports(name(), nodes.dofs, space_->n_dofs(), components);
+    side_motion_ = supports_.moving;
+    rigid_motions_ = split_off_rigid_motions(nodes, supports_);
+    if (!space_->has_hanging_nodes())
+      return;
+    const auto &expand = space_->hanging_node_expansion();
+    supports_.free_directions = expand * supports_.free_directions;
+    for (Eigen::VectorXd *const field :
+         {&supports_.fixed, &supports_.moving, &side_motion_, &rigid_motions_.fixed, &rigid_motions_.moving})
+      *field = expand * *field;
+  }
+
+  void Body::collect_loads()
+  {
+    load_ = Eigen::VectorXd::Zero(space_->n_dofs());
+    add_body_force(*space_, description_, load_);
+    for (const Condition &condition : description_.conditions)
+      if (condition.kind == ConditionKind::traction || condition.kind == ConditionKind::pressure)
+        add_traction(sides_.at(condition.boundary), condition, description_.placement, load_);
+  }
+
+  std::vector<Eigen::VectorXd> Body::adapt(const CellMarks &marks, const std::vector<Eigen::VectorXd> &fields)
+  {
+    std::vector<Eigen::VectorXd> carried = space_->adapt(marks, fields);
+    cholesky_.reset();
+    set_up();
+    return carried;
+  }
+
+  dealii::types::boundary_id Body::contact_boundary(const std::size_t side) const
+  {
+    return boundary_id(space_->mesh(), contact_side_names_[side]);
+  }
+
   double Body::contact_depth(const std::size_t side) const
   {
-    return abut::contact_depth(description_, space_->mesh(),
-                               boundary_id(space_->mesh(), contact_side_names_[side]));
+    return abut::contact_depth(description_, space_->mesh(), contact_boundary(side));
   }
 
   Body::PreparationTimes Body::prepare()
@@ -184,7 +220,10 @@ namespace abut
   Eigen::VectorXd Body::support_forces(const Eigen::VectorXd &deformation,
                                        const Eigen::VectorXd &contact_forces) const
   {
-    return stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
+    const Eigen::VectorXd forces = stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
+    if (!space_->has_hanging_nodes())
+      return forces;
+    return space_->hanging_node_expansion().transpose() * forces;
   }
 
   Reactions Body::reactions(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const

@@ -23,31 +23,14 @@ namespace abut
                                                const Vector2 &point, const Vector2 &normal,
                                                const std::optional<Resultant> &resultant)
     {
+      const std::vector<Vector2> directions = supported_directions(condition, placement, normal, resultant);
+      if (condition.kind == ConditionKind::resultant)
+        return {{directions.front(), 0., 1.}};
       const Vector2 own = placement.point_to_own(point);
-      const auto length = [&](const std::size_t i) {
-        return placement.length_to_world(condition.expressions[i](own));
-      };
-      const Vector2 x = placement.direction_to_world(Vector2::UnitX());
-      const Vector2 y = placement.direction_to_world(Vector2::UnitY());
-      switch (condition.kind)
-      {
-      case ConditionKind::displacement:
-        return {{x, length(0), 0.}, {y, length(1), 0.}};
-      case ConditionKind::displacement_x:
-        return {{x, length(0), 0.}};
-      case ConditionKind::displacement_y:
-        return {{y, length(0), 0.}};
-      case ConditionKind::normal_displacement:
-        return {{normal, length(0), 0.}};
-      case ConditionKind::tangential_displacement:
-        return {{Vector2(-normal.y(), normal.x()), length(0), 0.}};
-      case ConditionKind::resultant:
-        return {{resultant->direction, 0., 1.}};
-      case ConditionKind::traction:
-      case ConditionKind::pressure:
-        break;
-      }
-      return {};
+      std::vector<DirectedValue> values;
+      for (std::size_t i = 0; i < directions.size(); ++i)
+        values.push_back({directions[i], placement.length_to_world(condition.expressions[i](own)), 0.});
+      return values;
     }
 
     /// The node at a given place, which must be one within 1e-6 of the body's size.
@@ -85,6 +68,32 @@ namespace abut
     }
   } // namespace
 
+  std::vector<Vector2> supported_directions(const Condition &condition, const Placement &placement,
+                                            const Vector2 &normal, const std::optional<Resultant> &resultant)
+  {
+    const Vector2 x = placement.direction_to_world(Vector2::UnitX());
+    const Vector2 y = placement.direction_to_world(Vector2::UnitY());
+    switch (condition.kind)
+    {
+    case ConditionKind::displacement:
+      return {x, y};
+    case ConditionKind::displacement_x:
+      return {x};
+    case ConditionKind::displacement_y:
+      return {y};
+    case ConditionKind::normal_displacement:
+      return {normal};
+    case ConditionKind::tangential_displacement:
+      return {Vector2(-normal.y(), normal.x())};
+    case ConditionKind::resultant:
+      return {resultant->direction};
+    case ConditionKind::traction:
+    case ConditionKind::pressure:
+      break;
+    }
+    return {};
+  }
+
   Nodes all_nodes(const Space &space)
   {
     std::map<dealii::types::global_dof_index, dealii::Point<2>> points;
@@ -108,6 +117,21 @@ namespace abut
         nodes.places.emplace_back(points[x][0], points[x][1]);
       }
     }
+    return nodes;
+  }
+
+  Nodes free_nodes(const Space &space)
+  {
+    const Nodes all = all_nodes(space);
+    if (!space.has_hanging_nodes())
+      return all;
+    Nodes nodes;
+    for (std::size_t i = 0; i < all.dofs.size(); ++i)
+      if (!space.is_hanging(all.dofs[i][0]))
+      {
+        nodes.dofs.push_back(all.dofs[i]);
+        nodes.places.push_back(all.places[i]);
+      }
     return nodes;
   }
 
@@ -149,7 +173,7 @@ namespace abut
       if (condition.point)
       {
         if (!nodes)
-          nodes = all_nodes(space);
+          nodes = free_nodes(space);
         const std::size_t node = node_at(body, condition, *nodes);
         add(nodes->dofs[node], nodes->places[node], Vector2::Zero());
       }

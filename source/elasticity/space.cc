@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/elasticity/space.h>
+#include <abut/mesh/jacobians.h>
 #include <abut/trace/make_trace.h>
 #include <abut/user_error.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/solution_transfer.h>
 
 namespace abut
 {
@@ -20,28 +25,109 @@ namespace abut
         return std::make_unique<dealii::FE_SimplexP<2>>(degree);
       return std::make_unique<dealii::FE_Q<2>>(degree);
     }
+
+    /// H of Space::hanging_node_expansion.
+    Eigen::SparseMatrix<double> expansion(const dealii::AffineConstraints<double> &constraints,
+                                          const Eigen::Index n)
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index i = 0; i < n; ++i)
+      {
+        const auto dof = static_cast<dealii::types::global_dof_index>(i);
+        if (!constraints.is_constrained(dof))
+          entries.emplace_back(static_cast<int>(i), static_cast<int>(i), 1.);
+        else
+          for (const auto &[other, factor] : *constraints.get_constraint_entries(dof))
+            entries.emplace_back(static_cast<int>(i), static_cast<int>(other), factor);
+      }
+      Eigen::SparseMatrix<double> matrix(n, n);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    }
   } // namespace
 
   Space::Space(std::unique_ptr<BodyMesh> mesh, const unsigned int degree)
-      : mesh_(std::move(mesh)), mapping_(mesh_->mapping(mesh_->curved ? degree : 1)),
-        dof_handler_(mesh_->triangulation)
+      : mesh_(std::move(mesh)), mapping_(mesh_->mapping(degree)), dof_handler_(mesh_->triangulation)
   {
     if (mesh_->cell_type == CellType::triangles && degree > 2)
       throw UserError("Body " + mesh_->name + "/Degree: degree " + std::to_string(degree) +
                       " refused for triangles, allowed are 1 and 2");
-    if (mesh_->cell_type == CellType::triangles)
-      quadrature_ = dealii::QGaussSimplex<2>(degree + 1);
-    else
-      quadrature_ = dealii::QGauss<2>(degree + 1);
-    dof_handler_.distribute_dofs(dealii::FESystem<2>(*scalar_element(mesh_->cell_type, degree), 2));
+    quadrature_ = gauss_rule(*this, degree + 1);
+    element_ = std::make_unique<dealii::FESystem<2>>(*scalar_element(mesh_->cell_type, degree), 2);
+    distribute();
   }
 
   Space::~Space() = default;
+
+  void Space::distribute()
+  {
+    dof_handler_.distribute_dofs(*element_);
+    dealii::AffineConstraints<double> constraints;
+    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints);
+    constraints.close();
+    has_hanging_nodes_ = constraints.n_constraints() > 0;
+    hanging_.assign(dof_handler_.n_dofs(), false);
+    for (dealii::types::global_dof_index i = 0; i < dof_handler_.n_dofs(); ++i)
+      hanging_[i] = constraints.is_constrained(i);
+    expansion_ = expansion(constraints, n_dofs());
+  }
+
+  std::vector<Eigen::VectorXd> Space::adapt(const CellMarks &marks,
+                                            const std::vector<Eigen::VectorXd> &fields)
+  {
+    using Field = dealii::Vector<double>;
+    dealii::Triangulation<2> &triangulation = mesh_->triangulation;
+    std::vector<Field> old_fields;
+    for (const Eigen::VectorXd &field : fields)
+      old_fields.emplace_back(field.begin(), field.end());
+
+    set_flags(triangulation, marks);
+    triangulation.prepare_coarsening_and_refinement();
+    dealii::SolutionTransfer<2, Field> transfer(dof_handler_);
+    if (fields.empty())
+      transfer.prepare_for_pure_refinement();
+    else
+      transfer.prepare_for_coarsening_and_refinement(old_fields);
+    triangulation.execute_coarsening_and_refinement();
+    if (mesh_->curved)
+      check_jacobians(triangulation, *mapping_, degree(), "Body " + mesh_->name);
+    distribute();
+
+    std::vector<Field> new_fields(fields.size(), Field(dof_handler_.n_dofs()));
+    if (!fields.empty())
+      transfer.interpolate(old_fields, new_fields);
+    std::vector<Eigen::VectorXd> result;
+    for (const Field &field : new_fields)
+      result.push_back(expansion_ * Eigen::Map<const Eigen::VectorXd>(field.begin(), n_dofs()));
+    return result;
+  }
 
   Trace Space::trace(const dealii::types::boundary_id boundary) const
   {
     const unsigned int degree = mesh_->curved ? curve_degree : 1;
     return make_trace(dof_handler_, *mesh_->mapping(degree), degree, boundary);
+  }
+
+  Eigen::Matrix2d gradient_at(const dealii::FEValuesBase<2> &values, const unsigned int point,
+                              const std::vector<dealii::types::global_dof_index> &dofs,
+                              const Eigen::VectorXd &displacement)
+  {
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    for (const unsigned int i : values.dof_indices())
+    {
+      const auto component = values.get_fe().system_to_component_index(i).first;
+      const auto shape_gradient = values.shape_grad(i, point);
+      gradient.row(component) += displacement[static_cast<Eigen::Index>(dofs[i])] *
+                                 Eigen::RowVector2d(shape_gradient[0], shape_gradient[1]);
+    }
+    return gradient;
+  }
+
+  dealii::Quadrature<2> gauss_rule(const Space &space, const unsigned int n_points)
+  {
+    if (space.mesh().cell_type == CellType::triangles)
+      return dealii::QGaussSimplex<2>(n_points);
+    return dealii::QGauss<2>(n_points);
   }
 
   void visit_gradients(const Space &space, const dealii::Quadrature<2> &quadrature,
@@ -59,17 +145,11 @@ namespace abut
       for (const unsigned int q : values.quadrature_point_indices())
       {
         Vector2 u = Vector2::Zero();
-        Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
         for (const unsigned int i : values.dof_indices())
-        {
-          const double coefficient = displacement[static_cast<Eigen::Index>(dofs[i])];
-          const auto component = fe.system_to_component_index(i).first;
-          const auto shape_gradient = values.shape_grad(i, q);
-          u[component] += coefficient * values.shape_value(i, q);
-          gradient.row(component) += coefficient * Eigen::RowVector2d(shape_gradient[0], shape_gradient[1]);
-        }
+          u[fe.system_to_component_index(i).first] +=
+              displacement[static_cast<Eigen::Index>(dofs[i])] * values.shape_value(i, q);
         const auto p = values.quadrature_point(q);
-        visitor(Vector2(p[0], p[1]), values.JxW(q), u, gradient);
+        visitor(Vector2(p[0], p[1]), values.JxW(q), u, gradient_at(values, q, dofs, displacement));
       }
     }
   }

@@ -75,7 +75,7 @@ namespace abut
   } // namespace
 
   Supports make_supports(const std::string &body, const std::vector<std::array<unsigned int, 2>> &node_dofs,
-                         const std::vector<PrescribedComponent> &components)
+                         const Eigen::Index n_dofs, const std::vector<PrescribedComponent> &components)
   {
     std::map<unsigned int, std::vector<const PrescribedComponent *>> at_node;
     double scale = 0.;
@@ -85,7 +85,6 @@ namespace abut
       scale = std::max(scale, std::abs(component.value));
     }
 
-    const auto n_dofs = static_cast<Eigen::Index>(2 * node_dofs.size());
     Supports supports;
     supports.fixed = supports.moving = Eigen::VectorXd::Zero(n_dofs);
     std::vector<Eigen::Triplet<double>> entries;

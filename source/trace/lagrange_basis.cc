@@ -42,6 +42,16 @@ namespace abut
     weights = rule.first_components.array().square();
   }
 
+  GaussRule GaussRule::for_singular_ends(const unsigned int n_points)
+  {
+    const double pi = std::acos(-1.);
+    GaussRule rule(n_points);
+    const Eigen::ArrayXd angles = pi * rule.points.array();
+    rule.points = (angles / 2.).sin().square();
+    rule.weights = rule.weights.array() * pi / 2. * angles.sin();
+    return rule;
+  }
+
   LagrangeBasis::LagrangeBasis(const unsigned int degree)
       : nodes_(degree + 1), scaling_(Eigen::VectorXd::Ones(degree + 1))
   {

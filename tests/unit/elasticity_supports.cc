@@ -30,7 +30,7 @@ namespace
 
 TEST(ElasticitySupports, NothingPrescribedLeavesEverythingFree)
 {
-  const Supports supports = make_supports("b", two_nodes, {});
+  const Supports supports = make_supports("b", two_nodes, 4, {});
   EXPECT_EQ(supports.free_directions.cols(), 4);
   EXPECT_EQ(supports.fixed.norm(), 0.);
   EXPECT_TRUE(supports.nodes.empty());
@@ -40,7 +40,7 @@ TEST(ElasticitySupports, CornerOfTwoRollersTakesBothValues)
 {
   // The trap: a left roller and a top that is moved down must give (0, -Delta), not (0, 0).
   const Supports supports =
-      make_supports("b", two_nodes, {at(1, {-1., 0.}, 0., "left"), at(1, {0., 1.}, -.25, "top")});
+      make_supports("b", two_nodes, 4, {at(1, {-1., 0.}, 0., "left"), at(1, {0., 1.}, -.25, "top")});
   EXPECT_EQ(supports.free_directions.cols(), 2);
   EXPECT_EQ(supports.fixed[2], 0.);
   EXPECT_EQ(supports.fixed[3], -.25);
@@ -53,7 +53,7 @@ TEST(ElasticitySupports, ARollerOfAnyDirectionFreesTheOther)
   for (const double angle : {0., .3, 1.2, 2.5, 4.})
   {
     const Vector2 normal(std::cos(angle), std::sin(angle));
-    const Supports supports = make_supports("b", two_nodes, {at(0, normal, .5)});
+    const Supports supports = make_supports("b", two_nodes, 4, {at(0, normal, .5)});
     ASSERT_EQ(supports.free_directions.cols(), 3);
     const Eigen::MatrixXd t = supports.free_directions;
     EXPECT_LT((t.transpose() * t - Eigen::Matrix3d::Identity()).norm(), 1e-15);
@@ -65,7 +65,7 @@ TEST(ElasticitySupports, ARollerOfAnyDirectionFreesTheOther)
 TEST(ElasticitySupports, TwoInclinedDirectionsAreSolvedTogether)
 {
   const Vector2 u(.3, -.7), a = Vector2(1., 1.).normalized(), b = Vector2(-.2, 1.).normalized();
-  const Supports supports = make_supports("b", two_nodes, {at(0, a, a.dot(u)), at(0, b, b.dot(u))});
+  const Supports supports = make_supports("b", two_nodes, 4, {at(0, a, a.dot(u)), at(0, b, b.dot(u))});
   EXPECT_LT((supports.fixed.head<2>() - u).norm(), 1e-15);
 }
 
@@ -73,7 +73,7 @@ TEST(ElasticitySupports, TheRigidSidesShareIsSolvedTogether)
 {
   const Vector2 roller = Vector2(1., 2.).normalized();
   const Supports supports =
-      make_supports("b", two_nodes, {at(0, roller, 0.), at(0, {0., 1.}, 0., "top", 1.)});
+      make_supports("b", two_nodes, 4, {at(0, roller, 0.), at(0, {0., 1.}, 0., "top", 1.)});
   EXPECT_NEAR(supports.moving[1], 1., 1e-15);
   EXPECT_NEAR(roller.dot(supports.moving.head<2>()), 0., 1e-15);
   EXPECT_EQ(supports.fixed.norm(), 0.);
@@ -82,7 +82,7 @@ TEST(ElasticitySupports, TheRigidSidesShareIsSolvedTogether)
 TEST(ElasticitySupports, SayingTheSameTwiceIsAccepted)
 {
   const Supports supports =
-      make_supports("b", two_nodes,
+      make_supports("b", two_nodes, 4,
                     {at(0, {1., 0.}, .1, "a"), at(0, {0., 1.}, .2, "a"), at(0, {1., 0.}, .1, "b"),
                      at(0, {0., -1.}, -.2, "c"), at(0, {1., 1.}, .3 / std::sqrt(2.), "d")});
   EXPECT_NEAR(supports.fixed[0], .1, 1e-15);
@@ -92,9 +92,9 @@ TEST(ElasticitySupports, SayingTheSameTwiceIsAccepted)
 TEST(ElasticitySupports, ContradictionsAreRefusedWithTheNodesPlace)
 {
   const auto refuse = [](const std::vector<PrescribedComponent> &components, const std::string &sides) {
-    expect_refused([&] { make_supports("block", two_nodes, components); }, "(3, 4)");
-    expect_refused([&] { make_supports("block", two_nodes, components); }, sides);
-    expect_refused([&] { make_supports("block", two_nodes, components); }, "block");
+    expect_refused([&] { make_supports("block", two_nodes, 4, components); }, "(3, 4)");
+    expect_refused([&] { make_supports("block", two_nodes, 4, components); }, sides);
+    expect_refused([&] { make_supports("block", two_nodes, 4, components); }, "block");
   };
   refuse({at(0, {1., 0.}, .1, "left"), at(0, {1., 0.}, .2, "top")}, "'left' and 'top'");
   refuse({at(0, {1., 0.}, .1, "left"), at(0, {-1., 0.}, .1, "top")}, "'left' and 'top'");

@@ -10,6 +10,9 @@ namespace abut
   /// a(u, v) of (11), without any boundary condition: symmetric, with the rigid modes in its kernel.
   Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const Material &material);
 
+  /// The body force of a description at a point of the plane: force per volume, world frame.
+  Vector2 body_force(const BodyDescription &body, const Vector2 &point);
+
   /// Adds the body force of the description to a load vector.
   void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load);
 
@@ -17,7 +20,8 @@ namespace abut
   Vector2 prescribed_traction(const Condition &condition, const Placement &placement, const Vector2 &point,
                               const Vector2 &normal);
 
-  /// Adds int t . v over a side, (12), for a condition of kind traction or pressure.
+  /// Adds int t . v over a side, (12), for a condition of kind traction or pressure; also where the traction
+  /// grows like an inverse square root at a vertex of the mesh.
   void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
                     Eigen::VectorXd &load);
 } // namespace abut

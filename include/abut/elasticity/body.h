@@ -30,8 +30,8 @@ namespace abut
 
   /**
    * An elastic body by finite elements: mesh, space, supports, stiffness and its Cholesky factor, made once
-   * and used in every step. Construction reads and checks everything, loads included (UserError); the
-   * stiffness is assembled by `prepare`.
+   * for each mesh and used in every step. Construction reads and checks everything, loads included
+   * (UserError); the stiffness is assembled by `prepare`.
    */
   class Body : public TraceBody
   {
@@ -54,6 +54,15 @@ namespace abut
     const BodyCounters &counters() const { return counters_; }
     /// H_a of the penalty and of the elastic layer for a contact side (world length).
     double contact_depth(std::size_t side) const;
+
+    /// The boundary id of a contact side.
+    dealii::types::boundary_id contact_boundary(std::size_t side) const;
+
+    /**
+     * Changes the mesh and carries fields over (see Space::adapt). Traces, supports and loads are those of
+     * the new mesh afterwards; `prepare` has to be called again.
+     */
+    std::vector<Eigen::VectorXd> adapt(const CellMarks &marks, const std::vector<Eigen::VectorXd> &fields);
 
     /// Assembles and factorises; seconds of both. Throws ComputationError.
     struct PreparationTimes
@@ -79,9 +88,21 @@ namespace abut
     /// Strain energy u . K u / 2.
     double strain_energy(const Eigen::VectorXd &deformation) const;
 
+    /// The values of a field on the contact sides, a trace vector.
+    Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const
+    {
+      return trace_to_dofs_.transpose() * field;
+    }
+    /// The field with given values on the contact sides and zero at all other nodes.
+    Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const { return trace_to_dofs_ * trace; }
+
   private:
+    /// Everything that depends on the mesh but the stiffness.
+    void set_up();
     void collect_sides();
-    /// K u - f: what supports add to loads and contact forces, at every unknown.
+    void set_up_supports();
+    void collect_loads();
+    /// K u - f: what supports add to loads and contact forces, at every unknown; zero at hanging nodes.
     Eigen::VectorXd support_forces(const Eigen::VectorXd &deformation,
                                    const Eigen::VectorXd &contact_forces) const;
     Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;

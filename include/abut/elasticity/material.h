@@ -18,7 +18,15 @@ namespace abut
       return std::sqrt(.5 * ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) +
                        3. * xy * xy);
     }
+
+    /// sigma : sigma, the integrand of the L2 norm over xx, yy, zz and twice xy.
+    double square() const { return xx * xx + yy * yy + zz * zz + 2. * xy * xy; }
   };
+
+  inline Stress operator-(const Stress &a, const Stress &b)
+  {
+    return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy, a.zz - b.zz};
+  }
 
   /// Isotropic linear elasticity in plane strain, (1)-(2) of the paper.
   struct Material
@@ -38,6 +46,13 @@ namespace abut
       const double pressure_part = lambda() * gradient.trace();
       return {pressure_part + 2. * mu() * gradient(0, 0), pressure_part + 2. * mu() * gradient(1, 1),
               mu() * (gradient(0, 1) + gradient(1, 0)), pressure_part};
+    }
+
+    /// sigma : C^-1 sigma, the integrand of the squared energy norm, for a stress of plane strain.
+    double energy_density(const Stress &s) const
+    {
+      const double trace = s.xx + s.yy + s.zz, nu = poisson_ratio;
+      return ((1. + nu) * s.square() - nu * trace * trace) / young_modulus;
     }
   };
 } // namespace abut

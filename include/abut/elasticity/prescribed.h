@@ -24,6 +24,11 @@ namespace abut
   std::vector<PrescribedComponent> prescribed_components(const BodyDescription &body, const Sides &sides,
                                                          const Space &space);
 
+  /// The directions, with outward unit normal n, along which a condition prescribes the displacement: none
+  /// for a load.
+  std::vector<Vector2> supported_directions(const Condition &condition, const Placement &placement,
+                                            const Vector2 &normal, const std::optional<Resultant> &resultant);
+
   /// The resultant condition of the body, if it has one. Throws UserError for a side without one direction.
   std::optional<Resultant> find_resultant(const BodyDescription &body, const Sides &sides);
 
@@ -34,4 +39,6 @@ namespace abut
     std::vector<Vector2> places;
   };
   Nodes all_nodes(const Space &space);
+  /// Those that are free to move: all but the hanging ones.
+  Nodes free_nodes(const Space &space);
 } // namespace abut

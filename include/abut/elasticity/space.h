@@ -3,13 +3,17 @@
 
 #include <abut/elasticity/material.h>
 #include <abut/mesh/body_mesh.h>
+#include <abut/mesh/cell_marks.h>
 #include <abut/scene/body_description.h>
 #include <abut/trace/trace.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
+
+#include <Eigen/SparseCore>
 
 #include <functional>
 #include <memory>
@@ -18,7 +22,8 @@ namespace abut
 {
   /**
    * The finite-element space of one body: vector-valued Lagrange elements of degree p on its mesh,
-   * isoparametric on curved bodies. Owns the mesh.
+   * isoparametric on curved bodies. Owns the mesh. Where cells meet finer ones, the unknowns at hanging nodes
+   * are determined by the others, so that fields are continuous.
    */
   class Space
   {
@@ -32,6 +37,20 @@ namespace abut
     Eigen::Index n_dofs() const { return static_cast<Eigen::Index>(dof_handler_.n_dofs()); }
     unsigned int degree() const { return dof_handler_.get_fe().degree; }
 
+    bool has_hanging_nodes() const { return has_hanging_nodes_; }
+    /// Whether an unknown is determined by others.
+    bool is_hanging(const dealii::types::global_dof_index dof) const { return hanging_[dof]; }
+    /// H: a vector with any values at hanging nodes becomes a field, H u. The columns of hanging nodes are
+    /// zero, so that H^T moves their forces to the nodes that determine them.
+    const Eigen::SparseMatrix<double> &hanging_node_expansion() const { return expansion_; }
+
+    /**
+     * Splits and merges the marked cells and carries fields (vectors of all unknowns) over to the new mesh:
+     * unchanged where cells are split, by their values at the remaining nodes where cells are merged. Throws
+     * UserError where a curved side makes a new cell too distorted.
+     */
+    std::vector<Eigen::VectorXd> adapt(const CellMarks &marks, const std::vector<Eigen::VectorXd> &fields);
+
     /// Gauss rule for the cells, exact for polynomials of degree 2 p + 1 (per direction on quadrilaterals).
     const dealii::Quadrature<2> &quadrature() const { return quadrature_; }
 
@@ -42,11 +61,26 @@ namespace abut
     Trace trace(dealii::types::boundary_id boundary) const;
 
   private:
+    /// Numbers the unknowns of the present mesh.
+    void distribute();
+
     std::unique_ptr<BodyMesh> mesh_;
     std::unique_ptr<dealii::Mapping<2>> mapping_;
+    std::unique_ptr<dealii::FiniteElement<2>> element_;
     dealii::DoFHandler<2> dof_handler_;
     dealii::Quadrature<2> quadrature_;
+    std::vector<bool> hanging_;
+    bool has_hanging_nodes_ = false;
+    Eigen::SparseMatrix<double> expansion_;
   };
+
+  /// Gauss rule with n points in each direction of a quadrilateral; for triangles the one of like accuracy.
+  dealii::Quadrature<2> gauss_rule(const Space &space, unsigned int n_points);
+
+  /// grad u at a quadrature point; `values` have to show shape gradients.
+  Eigen::Matrix2d gradient_at(const dealii::FEValuesBase<2> &values, unsigned int point,
+                              const std::vector<dealii::types::global_dof_index> &dofs,
+                              const Eigen::VectorXd &displacement);
 
   /// Receives a quadrature point, its weight (area) and grad u there.
   using GradientVisitor = std::function<void(const Vector2 &point, double weight, const Vector2 &displacement,

@@ -46,12 +46,13 @@ namespace abut
   };
 
   /**
-   * Solves the at most 2 x 2 system of the components given at each node. `node_dofs` lists all nodes of the
-   * body. Throws UserError, beginning with `body`, with the place of a node where conditions contradict one
+   * Solves the at most 2 x 2 system of the components given at each node. `node_dofs` lists the nodes that
+   * are free to move, all but the hanging ones, whose rows of T are zero; `n_dofs` counts all unknowns.
+   * Throws UserError, beginning with `body`, with the place of a node where conditions contradict one
    * another.
    */
   Supports make_supports(const std::string &body, const std::vector<std::array<unsigned int, 2>> &node_dofs,
-                         const std::vector<PrescribedComponent> &components);
+                         Eigen::Index n_dofs, const std::vector<PrescribedComponent> &components);
 
   /**
    * The rigid motions that the components leave free, one description each ("translation along (1, 0)",

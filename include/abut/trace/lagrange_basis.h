@@ -31,6 +31,13 @@ namespace abut
   struct GaussRule
   {
     explicit GaussRule(unsigned int n_points);
+
+    /**
+     * The same in t, s = sin^2(pi t/2): integrates as well what grows like the inverse square root at either
+     * end, e.g. the pressure under the edge of a flat punch. Spectrally accurate for polynomials too.
+     */
+    static GaussRule for_singular_ends(unsigned int n_points);
+
     Eigen::VectorXd points;
     Eigen::VectorXd weights;
   };

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/adaptation/indicator.h>
+
+namespace abut
+{
+  /**
+   * Measures how far the tractions of neighbouring cells differ, and those on the boundary from what is known
+   * there; for even degrees, where these jumps are of higher order, also how far the cells are out of
+   * balance. D. W. Kelly, J. P. Gago, O. C. Zienkiewicz and I. Babuska, Int. J. Numer. Meth. Engng 19 (1983)
+   * 1593.
+   *
+   * With the normal and tangential parts t_n, t_t of a jump across a face of length h,
+   *   error^2 of a cell = sum over its faces of c h int (t_n^2/(lambda + 2 mu) + t_t^2/mu)    (energy norm),
+   * where c makes the estimate exact for squares and polynomials of degree p + 1: c = 1/(8 (2p + 1)) for odd
+   * p. A boundary residual is half a jump. For even p, h^2/(2 p (p+1) (2p+1)) times the like of the residual
+   * div sigma_F + f is added.
+   */
+  class KellyIndicator : public Indicator
+  {
+  public:
+    CellErrors estimate(const BodySolution &solution) const override;
+  };
+} // namespace abut

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/adaptation/indicator.h>
+
+namespace abut
+{
+  /**
+   * Compares with polynomials of degree p fitted, around each vertex, to the stress at the superconvergent
+   * points of the cells and to the known tractions on the boundary; O. C. Zienkiewicz and J. Z. Zhu, Int. J.
+   * Numer. Meth. Engng 33 (1992) 1331. In a cell the polynomials of its vertices are blended by their linear
+   * hat functions.
+   */
+  class SPRIndicator : public Indicator
+  {
+  public:
+    CellErrors estimate(const BodySolution &solution) const override;
+  };
+} // namespace abut

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/grid/tria.h>
+
+#include <vector>
+
+namespace abut
+{
+  /// Which cells an adaptation step splits and which it may merge, by active cell index.
+  struct CellMarks
+  {
+    std::vector<bool> refine;
+    std::vector<bool> coarsen;
+
+    /// Whether some cell is to be split or merged.
+    bool any() const;
+  };
+
+  /// No cell marked.
+  CellMarks no_marks(const dealii::Triangulation<2> &triangulation);
+
+  /**
+   * Sets the triangulation's flags from the marks. Cells of two levels' difference never share an edge (the
+   * 2:1 rule; deal.II sees to it for quadrilaterals, here it is done for triangles). Cells of level 30, 1e-9
+   * of the initial ones, are not split any further: their coordinates run out of digits. Triangles are never
+   * merged, which deal.II 9.4 cannot do.
+   */
+  void set_flags(dealii::Triangulation<2> &triangulation, const CellMarks &marks);
+} // namespace abut

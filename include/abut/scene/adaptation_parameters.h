@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace abut
+{
+  enum class EstimatorKind
+  {
+    none,
+    kelly, ///< jumps of the traction between cells
+    zz,    ///< Zienkiewicz and Zhu: against nodal averages of the stress
+    spr    ///< superconvergent patch recovery with the known boundary tractions
+  };
+
+  /// How the estimated stress error of a cell is related to the mean stress of its body.
+  enum class Normalisation
+  {
+    rms,    ///< root of mean squares: a relative stress error
+    printed ///< norm by area, (27) of the paper to the letter
+  };
+
+  enum class Marking
+  {
+    threshold,      ///< cells with eta above the limit (the paper)
+    fixed_fraction, ///< a share of the cells, those with the largest errors
+    doerfler        ///< the fewest cells that carry a share of the error
+  };
+
+  /// What the section `Adaptation` says.
+  struct AdaptationParameters
+  {
+    EstimatorKind estimator = EstimatorKind::none;
+    Normalisation normalisation = Normalisation::rms;
+    double limit = 0.; ///< delta: the run ends when eta is below it in every cell; 0: no limit
+    Marking marking = Marking::doerfler;
+    double fraction = .5;   ///< fixed fraction: of the cells; Doerfler: theta^2, of the squared error
+    double coarsening = 0.; ///< see the parameter's documentation; 0: no cell is merged
+    unsigned int maximum_passes = 10;
+    unsigned int maximum_unknowns = 1000000;
+    double iteration_fraction = .1; ///< iteration error allowed, by the discretisation error
+    bool combined = false;          ///< one decomposition step and one adaptation step a pass
+
+    static void declare(dealii::ParameterHandler &prm);
+    /// Reads the section the handler stands in. Throws UserError.
+    static AdaptationParameters parse(dealii::ParameterHandler &prm);
+  };
+} // namespace abut

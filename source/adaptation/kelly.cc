@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/better_stress.h>
+#include <abut/adaptation/kelly.h>
+#include <abut/elasticity/assembly.h>
+#include <abut/elasticity/boundary_traction.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/matrix_free/fe_point_evaluation.h>
+
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    Vector2 traction(const Stress &s, const Vector2 &normal)
+    {
+      return Vector2(s.xx * normal.x() + s.xy * normal.y(), s.xy * normal.x() + s.yy * normal.y());
+    }
+
+    /// Squares of the stress and of the energy that belong to a force: its part along `normal` stretches in
+    /// plane strain without lateral strain, the rest shears.
+    struct Squares
+    {
+      double stress = 0., energy = 0.;
+
+      void add(const Vector2 &force, const Vector2 &normal, const Material &material, const double weight)
+      {
+        const double stretching = force.dot(normal), lambda = material.lambda(), mu = material.mu();
+        const double shearing = (force - stretching * normal).squaredNorm();
+        const double lateral = lambda / (lambda + 2. * mu);
+        stress += weight * (stretching * stretching * (1. + 2. * lateral * lateral) + 2. * shearing);
+        energy += weight * (stretching * stretching / (lambda + 2. * mu) + shearing / mu);
+      }
+    };
+
+    class Estimate
+    {
+    public:
+      explicit Estimate(const BodySolution &solution)
+          : solution_(solution), space_(solution.body.space()), material_(solution.body.material()),
+            boundary_(solution.body, solution.contact_forces), degree_(space_.degree()),
+            rule_(degree_ + 1), // faces of both cell types are lines
+            face_(space_.mapping(), space_.dof_handler().get_fe(), rule_,
+                  dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
+                      dealii::update_quadrature_points | dealii::update_normal_vectors),
+            other_(space_.mapping(), space_.dof_handler().get_fe(), dealii::update_gradients),
+            interior_(space_.mapping(), space_.dof_handler().get_fe(), space_.quadrature(),
+                      dealii::update_hessians | dealii::update_JxW_values | dealii::update_quadrature_points),
+            dofs_(space_.dof_handler().get_fe().n_dofs_per_cell()), other_dofs_(dofs_),
+            squares_(space_.mesh().triangulation.n_active_cells())
+      {}
+
+      std::vector<Squares> run()
+      {
+        for (const auto &cell : space_.dof_handler().active_cell_iterators())
+        {
+          cell->get_dof_indices(dofs_);
+          if (degree_ % 2 == 0)
+            add_interior(cell);
+          for (const unsigned int f : cell->face_indices())
+            if (cell->at_boundary(f))
+              add_boundary_face(cell, f);
+            else if (is_visited_from(cell, f))
+              add_inner_face(cell, f);
+        }
+        return squares_;
+      }
+
+    private:
+      /// Each face is visited once: from the finer side, or from the cell with the smaller index.
+      static bool is_visited_from(const Cell &cell, const unsigned int f)
+      {
+        const auto neighbour = cell->neighbor(f);
+        return neighbour->is_active() && (neighbour->level() < cell->level() ||
+                                          cell->active_cell_index() < neighbour->active_cell_index());
+      }
+
+      double face_factor(const double length) const { return length / (8. * (2. * degree_ + 1.)); }
+
+      /// The residual div sigma_F + f, whose whole is taken for shear, the softer of the two.
+      void add_interior(const Cell &cell)
+      {
+        interior_.reinit(cell);
+        const double factor = cell->measure() / (2. * degree_ * (degree_ + 1.) * (2. * degree_ + 1.));
+        for (const unsigned int q : interior_.quadrature_point_indices())
+        {
+          const auto place = interior_.quadrature_point(q);
+          const Vector2 residual =
+              divergence_at(q) + body_force(solution_.body.description(), Vector2(place[0], place[1]));
+          const Vector2 across(-residual.y(), residual.x());
+          squares_[cell->active_cell_index()].add(residual, across.normalized(), material_,
+                                                  factor * interior_.JxW(q));
+        }
+      }
+
+      /// div sigma = (lambda + mu) grad div u + mu lap u.
+      Vector2 divergence_at(const unsigned int q) const
+      {
+        const double lambda = material_.lambda(), mu = material_.mu();
+        Vector2 divergence = Vector2::Zero();
+        for (const unsigned int i : interior_.dof_indices())
+        {
+          const auto component = interior_.get_fe().system_to_component_index(i).first;
+          const auto hessian = interior_.shape_hessian(i, q);
+          const double u = solution_.deformation[static_cast<Index>(dofs_[i])];
+          divergence += (lambda + mu) * u * Vector2(hessian[component][0], hessian[component][1]);
+          divergence[component] += mu * u * dealii::trace(hessian);
+        }
+        return divergence;
+      }
+
+      void add_boundary_face(const Cell &cell, const unsigned int f)
+      {
+        face_.reinit(cell, f);
+        const double factor = 4. * face_factor(cell->face(f)->measure());
+        for (const unsigned int q : face_.quadrature_point_indices())
+        {
+          const Vector2 normal = normal_at(q);
+          const KnownTraction known = boundary_.at(face_, q, cell->face(f)->boundary_id(), dofs_);
+          const Vector2 difference = known.value - traction(stress_at(q), normal);
+          Vector2 residual = Vector2::Zero();
+          for (const Vector2 &direction : known.directions)
+            residual += difference.dot(direction) * direction;
+          squares_[cell->active_cell_index()].add(residual, normal, material_, factor * face_.JxW(q));
+        }
+      }
+
+      void add_inner_face(const Cell &cell, const unsigned int f)
+      {
+        const Cell neighbour = cell->neighbor(f);
+        face_.reinit(cell, f);
+        neighbour->get_dof_indices(other_dofs_);
+        const std::vector<Eigen::Matrix2d> other = gradients_in(neighbour);
+        const double factor = face_factor(cell->face(f)->measure());
+        for (const unsigned int q : face_.quadrature_point_indices())
+        {
+          const Vector2 normal = normal_at(q);
+          const Vector2 jump = traction(stress_at(q) - material_.stress(other[q]), normal);
+          for (const Cell &side : {cell, neighbour})
+            squares_[side->active_cell_index()].add(jump, normal, material_, factor * face_.JxW(q));
+        }
+      }
+
+      Vector2 normal_at(const unsigned int q) const
+      {
+        const auto normal = face_.normal_vector(q);
+        return Vector2(normal[0], normal[1]);
+      }
+
+      Stress stress_at(const unsigned int q) const
+      {
+        return material_.stress(gradient_at(face_, q, dofs_, solution_.deformation));
+      }
+
+      /// grad u of a neighbour at the points of the face, whatever part of the neighbour's face it is.
+      std::vector<Eigen::Matrix2d> gradients_in(const Cell &neighbour)
+      {
+        std::vector<dealii::Point<2>> unit_points;
+        for (const auto &point : face_.get_quadrature_points())
+          unit_points.push_back(space_.mapping().transform_real_to_unit_cell(neighbour, point));
+        std::vector<double> values;
+        for (const auto dof : other_dofs_)
+          values.push_back(solution_.deformation[static_cast<Index>(dof)]);
+        other_.reinit(neighbour, unit_points);
+        other_.evaluate(values, dealii::EvaluationFlags::gradients);
+        std::vector<Eigen::Matrix2d> gradients(unit_points.size());
+        for (unsigned int q = 0; q < unit_points.size(); ++q)
+        {
+          const auto gradient = other_.get_gradient(q);
+          gradients[q] << gradient[0][0], gradient[0][1], gradient[1][0], gradient[1][1];
+        }
+        return gradients;
+      }
+
+      const BodySolution &solution_;
+      const Space &space_;
+      const Material material_;
+      const BoundaryTraction boundary_;
+      const unsigned int degree_;
+      const dealii::QGauss<1> rule_;
+      dealii::FEFaceValues<2> face_;
+      dealii::FEPointEvaluation<2, 2> other_;
+      dealii::FEValues<2> interior_;
+      std::vector<dealii::types::global_dof_index> dofs_, other_dofs_;
+      std::vector<Squares> squares_;
+    };
+  } // namespace
+
+  CellErrors KellyIndicator::estimate(const BodySolution &solution) const
+  {
+    // sigma_F stands for the better stress that there is none of: areas and norms.
+    const Material material = solution.body.material();
+    std::vector<dealii::types::global_dof_index> dofs(
+        solution.body.space().dof_handler().get_fe().n_dofs_per_cell());
+    CellErrors errors = compare(
+        solution, [&](const Cell &cell, const dealii::FEValues<2> &values, std::vector<Stress> &stress) {
+          cell->get_dof_indices(dofs);
+          for (const unsigned int q : values.quadrature_point_indices())
+            stress[q] = material.stress(gradient_at(values, q, dofs, solution.deformation));
+        });
+    const std::vector<Squares> squares = Estimate(solution).run();
+    for (std::size_t i = 0; i < squares.size(); ++i)
+    {
+      errors.stress[static_cast<Index>(i)] = std::sqrt(squares[i].stress);
+      errors.energy[static_cast<Index>(i)] = std::sqrt(squares[i].energy);
+    }
+    return errors;
+  }
+} // namespace abut

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/better_stress.h>
+#include <abut/adaptation/zz.h>
+
+namespace abut
+{
+  namespace
+  {
+    /// xx, yy and xy of a continuous stress at the nodes, in the first component's unknowns.
+    using NodalStress = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+    NodalStress nodal_means(const BodySolution &solution)
+    {
+      const Space &space = solution.body.space();
+      const auto &fe = space.dof_handler().get_fe();
+      dealii::FEValues<2> values(space.mapping(), fe, dealii::Quadrature<2>(fe.get_unit_support_points()),
+                                 dealii::update_gradients);
+      std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      NodalStress sums = NodalStress::Zero(space.n_dofs(), 3);
+      Eigen::VectorXd areas = Eigen::VectorXd::Zero(space.n_dofs());
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      {
+        values.reinit(cell);
+        cell->get_dof_indices(dofs);
+        const double area = cell->measure();
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+        {
+          const Stress stress =
+              solution.body.material().stress(gradient_at(values, i, dofs, solution.deformation));
+          sums.row(dofs[i]) += area * Eigen::RowVector3d(stress.xx, stress.yy, stress.xy);
+          areas[dofs[i]] += area;
+        }
+      }
+      const NodalStress means = areas.cwiseInverse().asDiagonal() * sums;
+      if (!space.has_hanging_nodes())
+        return means;
+      return space.hanging_node_expansion() * means;
+    }
+  } // namespace
+
+  CellErrors ZZIndicator::estimate(const BodySolution &solution) const
+  {
+    const NodalStress nodal = nodal_means(solution);
+    const double nu = solution.body.material().poisson_ratio;
+    const auto &fe = solution.body.space().dof_handler().get_fe();
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    return compare(solution,
+                   [&](const Cell &cell, const dealii::FEValues<2> &values, std::vector<Stress> &stress) {
+                     cell->get_dof_indices(dofs);
+                     for (const unsigned int q : values.quadrature_point_indices())
+                     {
+                       Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+                       for (const unsigned int i : values.dof_indices())
+                         if (fe.system_to_component_index(i).first == 0)
+                           sum += values.shape_value(i, q) * nodal.row(dofs[i]);
+                       stress[q] = {sum[0], sum[1], sum[2], nu * (sum[0] + sum[1])};
+                     }
+                   });
+  }
+} // namespace abut
