@@ -48,10 +48,18 @@ namespace abut
   ContactPair::ContactPair(const ContactDescription &description, const Placement &slave_placement,
                            const ContactBody &slave, const ContactBody &master, const Trace &slave_trace,
                            const Trace &master_trace)
+      : ContactPair(description, slave, master, slave_trace, master_trace,
+                    common_refinement(slave_trace, master_trace),
+                    checked(gap_function(description, slave_placement), description.name,
+                            std::min(slave.depth, master.depth)))
+  {}
+
+  ContactPair::ContactPair(const ContactDescription &description, const ContactBody &slave,
+                           const ContactBody &master, const Trace &slave_trace, const Trace &master_trace,
+                           const std::vector<Piece> &pieces, const GapFunction &gap)
       : name_(description.name), slave_(slave), master_(master),
-        coupling_(couple(slave_trace, master_trace,
-                         checked(gap_function(description, slave_placement), description.name,
-                                 std::min(slave.depth, master.depth)))),
+        coupling_(couple(slave_trace, master_trace, pieces, gap)),
+        samples_(sample_gaps(slave_trace, master_trace, pieces, gap)),
         penalty_(description.penalty.value_or(.5 * description.penalty_coefficient *
                                               (slave.flexibility + master.flexibility))),
         gap_from_geometry_(!description.gap), coverage_(coupling_.covered_length / slave_trace.length())
@@ -61,5 +69,31 @@ namespace abut
                       description.slave.boundary + " faces the master " + description.master.body + ":" +
                       description.master.boundary +
                       " along its normals; check the bodies' places and the side names");
+  }
+
+  std::vector<Piece> ContactPair::missed_contact(const Trace &slave_trace,
+                                                 const Eigen::VectorXd &slave_displacement,
+                                                 const Eigen::VectorXd &master_displacement,
+                                                 const Eigen::VectorXd &gaps) const
+  {
+    const double round_off = 1e-12 * std::min(slave_.depth, master_.depth);
+    std::vector<bool> near(slave_trace.n_nodes(), false); // nodes of segments in contact
+    for (const Segment &segment : slave_trace.segments())
+      if (std::any_of(segment.nodes.begin(), segment.nodes.end(),
+                      [&](const unsigned int node) { return gaps[node] < 0.; }))
+        for (const unsigned int node : segment.nodes)
+          near[node] = true;
+
+    const Eigen::VectorXd pointwise =
+        samples_.gap + samples_.slave * slave_displacement + samples_.master * master_displacement;
+    std::vector<Piece> missed;
+    for (std::size_t i = 0; i < samples_.pieces.size(); ++i)
+    {
+      const auto &nodes = slave_trace.segments()[samples_.pieces[i].slave_segment].nodes;
+      if (pointwise[static_cast<Eigen::Index>(i)] < -round_off &&
+          std::none_of(nodes.begin(), nodes.end(), [&](const unsigned int node) { return near[node]; }))
+        missed.push_back(samples_.pieces[i]);
+    }
+    return missed;
   }
 } // namespace abut

@@ -111,6 +111,15 @@ namespace abut
     return observers_[body] * displacements;
   }
 
+  Eigen::VectorXd InterfaceProblem::observe(const std::vector<Eigen::VectorXd> &displacements) const
+  {
+    Eigen::VectorXd response = Eigen::VectorXd::Zero(response_size_);
+    response.head(n_pressures()) = initial_gap_;
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      response += response_of(a, displacements[a]);
+    return response;
+  }
+
   InterfaceProblem::Loads InterfaceProblem::loads(const double rigid_displacement) const
   {
     std::vector<LoadResponse> responses(bodies_.size());
@@ -118,12 +127,13 @@ namespace abut
       responses[a] = bodies_[a]->respond_to_loads(rigid_displacement);
     });
     Loads loads;
-    loads.response = Eigen::VectorXd::Zero(response_size_);
-    loads.response.head(n_pressures()) = initial_gap_;
+    std::vector<Eigen::VectorXd> displacements;
+    for (const LoadResponse &response : responses)
+      displacements.push_back(response.displacement);
+    loads.response = observe(displacements);
     loads.force_gap = Eigen::VectorXd::Zero(n_pressures());
     for (std::size_t a = 0; a < bodies_.size(); ++a)
     {
-      loads.response += response_of(a, responses[a].displacement);
       loads.force_gap += response_of(a, responses[a].force_displacement).topRows(n_pressures());
       loads.energy_product += responses[a].energy_product;
     }

@@ -7,16 +7,13 @@
 
 namespace abut
 {
-  namespace
+  double choose_relaxation(const InterfaceProblem &problem, const DecompositionParameters &parameters)
   {
-    double choose_relaxation(const InterfaceProblem &problem, const DecompositionParameters &parameters)
-    {
-      if (parameters.relaxation)
-        return *parameters.relaxation;
-      return automatic_relaxation(
-          largest_eigenvalue(problem, *make_compliance(problem, ComplianceMode::solves, 0.)));
-    }
-  } // namespace
+    if (parameters.relaxation)
+      return *parameters.relaxation;
+    return automatic_relaxation(
+        largest_eigenvalue(problem, *make_compliance(problem, ComplianceMode::solves, 0.)));
+  }
 
   InterfaceSolver::InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters)
       : problem_(problem), parameters_(parameters), relaxation_(choose_relaxation(problem, parameters)),
@@ -26,12 +23,16 @@ namespace abut
 
   SchemeResult InterfaceSolver::solve(const InterfaceProblem::Loads &loads,
                                       const std::optional<Eigen::VectorXd> &start,
-                                      const StepObserver &observer) const
+                                      const StepObserver &observer,
+                                      const std::optional<double> &tolerance) const
   {
+    DecompositionParameters parameters = parameters_;
+    if (tolerance && parameters.stopping_rule == StoppingRule::bound)
+      parameters.tolerance = *tolerance;
     const InterfaceState state =
         start ? respond_to(*compliance_, loads, *start)
               : initial_guess(problem_, *compliance_, loads, parameters_.initial_guess);
-    return NeumannScheme(problem_, *compliance_, parameters_, relaxation_).solve(loads, state, observer);
+    return NeumannScheme(problem_, *compliance_, parameters, relaxation_).solve(loads, state, observer);
   }
 
   SchemeResult InterfaceSolver::limit(const InterfaceProblem::Loads &loads,

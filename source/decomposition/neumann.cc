@@ -16,33 +16,6 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    /// max_a ||u_an - v_an||_2 / ||u_an||_2 over the nodes of all contact sides of each body, the paper's
-    /// norm.
-    double relative_change(const InterfaceProblem &problem, const Eigen::VectorXd &u,
-                           const Eigen::VectorXd &v)
-    {
-      double largest = 0.;
-      for (std::size_t a = 0; a < problem.bodies().size(); ++a)
-      {
-        const Eigen::VectorXd now = problem.normal_displacements(u, a);
-        const double change = (now - problem.normal_displacements(v, a)).norm();
-        if (change > 0.) // a body that comes back to rest has changed wholly
-          largest = std::max(largest, now.norm() > 0. ? change / now.norm() : 1.);
-      }
-      return largest;
-    }
-
-    /// What a relative error refers to: ||u||_A, or the norm of that part of u which contact makes where it
-    /// is smaller. A body stretched far from the contact would else make any error of the contact look small.
-    double reference_norm(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
-                          const Eigen::VectorXd &pressures, const Eigen::VectorXd &response)
-    {
-      const Index n = problem.n_pressures();
-      const double of_contact = pressures.dot((response - loads.response).head(n));
-      const double of_all = loads.energy_product + 2. * pressures.dot(loads.force_gap) + of_contact;
-      return std::sqrt(std::max(std::min(of_contact, of_all), 0.));
-    }
-
     /// ||u~ - u^k||_A, the bound of the state that a step starts from; NaN where that state is no field.
     double error_bound(const InterfaceProblem &problem, const InterfaceState &state,
                        const Eigen::VectorXd &pressures, const Eigen::VectorXd &solved_response)
@@ -113,23 +86,45 @@ namespace abut
              << " on the present contact). Set Decomposition/Relaxation to automatic or to a smaller number";
       return text.str();
     }
-    /// The paper's rule may fire by accident in a run that does not converge: then a sentence, else nothing.
-    std::string accident_message(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                                 const double relaxation, const Eigen::VectorXd &pressures)
-    {
-      if (relaxation < 2. / largest_eigenvalue(problem, compliance))
-        return {};
-      const double here = 2. / largest_eigenvalue(problem, compliance, &pressures);
-      if (relaxation < here)
-        return {};
-      std::ostringstream text;
-      text.precision(3);
-      text << "The increment rule has stopped the parallel Neumann scheme, but with gamma = " << relaxation
-           << " it does not converge: gamma must stay below gamma* = " << here
-           << " on the present contact. Set Decomposition/Relaxation to automatic or to a smaller number";
-      return text.str();
-    }
   } // namespace
+
+  double relative_change(const InterfaceProblem &problem, const Eigen::VectorXd &u, const Eigen::VectorXd &v)
+  {
+    double largest = 0.;
+    for (std::size_t a = 0; a < problem.bodies().size(); ++a)
+    {
+      const Eigen::VectorXd now = problem.normal_displacements(u, a);
+      const double change = (now - problem.normal_displacements(v, a)).norm();
+      if (change > 0.) // a body that comes back to rest has changed wholly
+        largest = std::max(largest, now.norm() > 0. ? change / now.norm() : 1.);
+    }
+    return largest;
+  }
+
+  double reference_norm(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
+                        const Eigen::VectorXd &pressures, const Eigen::VectorXd &response)
+  {
+    const Index n = problem.n_pressures();
+    const double of_contact = pressures.dot((response - loads.response).head(n));
+    const double of_all = loads.energy_product + 2. * pressures.dot(loads.force_gap) + of_contact;
+    return std::sqrt(std::max(std::min(of_contact, of_all), 0.));
+  }
+
+  std::string accident_message(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                               const double relaxation, const Eigen::VectorXd &pressures)
+  {
+    if (relaxation < 2. / largest_eigenvalue(problem, compliance))
+      return {};
+    const double here = 2. / largest_eigenvalue(problem, compliance, &pressures);
+    if (relaxation < here)
+      return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << "The increment rule has stopped the parallel Neumann scheme, but with gamma = " << relaxation
+         << " it does not converge: gamma must stay below gamma* = " << here
+         << " on the present contact. Set Decomposition/Relaxation to automatic or to a smaller number";
+    return text.str();
+  }
 
   double automatic_relaxation(const double largest_eigenvalue)
   {

@@ -77,21 +77,30 @@ namespace abut
       simulation.check_supports();
       make_output_directory(scene.output_directory);
       remove_old_results(scene.output_directory);
-      History history(simulation.counts());
+      History history;
       ProgressLine progress(out, &out == &std::cout && isatty(STDOUT_FILENO) != 0, quiet);
-      Results results = simulation.run([&](const StepRecord &record) {
+      RunObserver observer;
+      observer.begin_pass = [&](const unsigned int pass, const Counts &counts) {
+        history.begin_pass(pass, counts);
+        progress.begin_pass(pass, counts);
+      };
+      observer.step = [&](const StepRecord &record) {
         history.add(record, seconds());
         progress.step(record);
-      });
+      };
+      observer.end_pass = [&](const PassRecord &record) { history.end_pass(record); };
+      Results results = simulation.run(observer);
       progress.finish();
       const Written written = write_all(results, history, scene.output_directory, seconds());
       results.times.output = written.seconds;
       results.left_out.insert(results.left_out.end(), written.left_out.begin(), written.left_out.end());
       if (!quiet)
         print_results(out, results, scene.output_directory, seconds());
-      if (results.iteration.converged())
+      for (const std::string &warning : results.warnings)
+        err << "abut: " << scene.file << ": warning: " << warning << '\n';
+      if (results.converged())
         return ExitStatus::converged;
-      err << "abut: " << scene.file << ": " << results.iteration.message << ". The results in "
+      err << "abut: " << scene.file << ": " << results.message() << ". The results in "
           << scene.output_directory << " are marked as not converged\n";
       return ExitStatus::not_converged;
     }

@@ -23,6 +23,8 @@ namespace abut
       for (const std::string &motion : body.free_rigid_motions())
         out << ' ' << motion;
       out << (body.free_rigid_motions().empty() ? " none\n" : "\n");
+      if (description.adapt)
+        out << "  its mesh follows the estimated error\n";
     }
 
     void describe_pair(const ContactPair &pair, const ContactDescription &description, std::ostream &out)
@@ -40,14 +42,14 @@ namespace abut
   void Simulation::describe(std::ostream &out) const
   {
     Eigen::Index n_unknowns = 0;
-    for (const auto &body : bodies_)
+    for (const auto &body : bodies())
     {
       describe_body(*body, out);
       n_unknowns += body->space().n_dofs();
     }
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      describe_pair(pairs_[i], scene_.contacts[i], out);
-    out << "In all: " << bodies_.size() << " bodies, " << pairs_.size() << " contacts, " << n_unknowns
+    for (std::size_t i = 0; i < pairs().size(); ++i)
+      describe_pair(pairs()[i], scene_.contacts[i], out);
+    out << "In all: " << bodies().size() << " bodies, " << pairs().size() << " contacts, " << n_unknowns
         << " unknowns\n";
   }
 } // namespace abut

@@ -123,11 +123,18 @@ namespace abut
     }
   }
 
-  Stress LayersReference::stress(const std::size_t body, const Vector2 &own_point) const
+  OwnStress LayersReference::stress(const std::size_t body) const
   {
-    const bool upright = contact_on_top_[body];
-    const Vector2 point(own_point.x(), upright ? own_point.y() : thickness_[body] - own_point.y());
-    const ExactStress s = solution_.stress(static_cast<unsigned int>(body), point);
-    return {s.xx, s.yy, upright ? s.xy : -s.xy, s.zz};
+    return [this, body](const Vector2 &own_point) -> Stress {
+      const bool upright = contact_on_top_[body];
+      const Vector2 point(own_point.x(), upright ? own_point.y() : thickness_[body] - own_point.y());
+      const ExactStress s = solution_.stress(static_cast<unsigned int>(body), point);
+      return {s.xx, s.yy, upright ? s.xy : -s.xy, s.zz};
+    };
+  }
+
+  std::function<double(const Vector2 &)> LayersReference::pressure() const
+  {
+    return [this](const Vector2 &own_point) { return solution_.pressure(own_point.x()); };
   }
 } // namespace abut

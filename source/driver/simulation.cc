@@ -1,100 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/contact/elastic_layer.h>
 #include <abut/decomposition/resultant_loading.h>
 #include <abut/driver/simulation.h>
-#include <abut/driver/true_errors.h>
+#include <abut/driver/stopwatch.h>
 #include <abut/user_error.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace abut
 {
-  namespace
-  {
-    using Index = Eigen::Index;
-    using Clock = std::chrono::steady_clock;
-
-    /// Adds the time until its end of life to a number of seconds.
-    class Stopwatch
-    {
-    public:
-      explicit Stopwatch(double &seconds) : seconds_(seconds) {}
-      ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-      Stopwatch(const Stopwatch &) = delete;
-      Stopwatch &operator=(const Stopwatch &) = delete;
-
-    private:
-      double &seconds_;
-      Clock::time_point start_ = Clock::now();
-    };
-
-    std::vector<std::string> contact_sides(const Scene &scene, const std::string &body)
-    {
-      std::vector<std::string> sides;
-      for (const ContactDescription &contact : scene.contacts)
-        for (const Side &side : {contact.slave, contact.master})
-          if (side.body == body && std::find(sides.begin(), sides.end(), side.boundary) == sides.end())
-            sides.push_back(side.boundary);
-      return sides;
-    }
-
-    ContactBody contact_body(const Scene &scene, const std::vector<std::unique_ptr<Body>> &bodies,
-                             const Side &side)
-    {
-      const std::size_t index = scene.body_index(side.body);
-      const std::vector<std::string> sides = contact_sides(scene, side.body);
-      const auto position =
-          static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side.boundary) - sides.begin());
-      const Body &body = *bodies[index];
-      const double depth = body.contact_depth(position);
-      return {index, position, depth, depth / body.material().young_modulus,
-              layer_compliance(body.material(), depth)};
-    }
-
-  } // namespace
-
   Simulation::Simulation(const Scene &scene) : scene_(scene)
   {
     const Stopwatch watch(mesh_time_);
     use_one_blas_thread();
-    if (scene.reference.solution == ReferenceParameters::Solution::layers_sliding)
-      reference_.emplace(scene);
-    make_bodies();
-    make_pairs();
-  }
-
-  void Simulation::make_bodies()
-  {
-    bodies_.resize(scene_.bodies.size());
-    for (std::size_t a = 0; a < bodies_.size(); ++a)
-      bodies_[a] = std::make_unique<Body>(scene_.bodies[a], contact_sides(scene_, scene_.bodies[a].name));
-  }
-
-  void Simulation::make_pairs()
-  {
-    for (const ContactDescription &contact : scene_.contacts)
-    {
-      const ContactBody slave = contact_body(scene_, bodies_, contact.slave);
-      const ContactBody master = contact_body(scene_, bodies_, contact.master);
-      pairs_.emplace_back(contact, scene_.bodies[slave.body].placement, slave, master,
-                          bodies_[slave.body]->contact_sides()[slave.side],
-                          bodies_[master.body]->contact_sides()[master.side]);
-    }
-  }
-
-  Counts Simulation::counts() const
-  {
-    Counts sum;
-    for (const auto &body : bodies_)
-      sum = sum + count(body->space());
-    return sum;
+    exact_ = make_exact_solution(scene);
+    model_ = std::make_unique<Model>(scene, exact_.get());
+    indicator_ = make_indicator(scene.adaptation.estimator);
   }
 
   void Simulation::check_supports() const
   {
-    for (const auto &body : bodies_)
+    for (const auto &body : bodies())
     {
       if (body->free_rigid_motions().empty())
         continue;
@@ -111,42 +37,122 @@ namespace abut
     }
   }
 
-  void Simulation::prepare(Times &times)
+  Results Simulation::run(const RunObserver &observer)
   {
-    std::vector<Body::PreparationTimes> of_body(bodies_.size());
-    for_each_body(bodies_.size(), [&](const std::size_t a) { of_body[a] = bodies_[a]->prepare(); });
-    for (const Body::PreparationTimes &t : of_body) // side by side: the longest counts
+    check_supports();
+    Results results;
+    results.scene = &scene_;
+    results.times.mesh = mesh_time_;
+    std::optional<CarriedState> carried; // from the mesh before
+    for (unsigned int pass = 0;; ++pass)
     {
-      times.assemble = std::max(times.assemble, t.assemble);
-      times.factorise = std::max(times.factorise, t.factorise);
+      if (observer.begin_pass)
+        observer.begin_pass(pass, counts());
+      model_->prepare(results.times);
+      const CarriedState state = scene_.adaptation.combined ? take_combined_step(carried, observer, results)
+                                                            : solve_pass(carried, observer, results);
+      results.passes.push_back(record_pass(carried, results));
+      if (observer.end_pass)
+        observer.end_pass(results.passes.back());
+      if (is_last_pass(results))
+        break;
+      carried = adapt(state, results);
+      if (!carried)
+        break;
     }
+    results.limit_distance = limit_distance(results);
+    results.warnings = warnings(results);
+    results.left_out = left_out(results);
+    return results;
+  }
+
+  CarriedState Simulation::solve_pass(const std::optional<CarriedState> &carried, const RunObserver &observer,
+                                      Results &results)
+  {
+    {
+      const Stopwatch watch(results.times.solve);
+      solver_ = std::make_unique<InterfaceSolver>(model_->problem(), scene_.decomposition);
+    }
+    results.compliance_is_dense = solver_->compliance().is_dense();
+    std::optional<Eigen::VectorXd> start;
+    if (carried)
+      start = carried->pressures;
+    double tolerance = first_tolerance(results);
+    unsigned int steps = 0;
+    do
+    {
+      const Stopwatch watch(results.times.interface);
+      results.iteration = solve_interface(
+          start, tolerance,
+          [&](StepRecord record) {
+            record.step += steps;
+            if (observer.step)
+              observer.step(record);
+          },
+          results);
+      steps += results.iteration.steps;
+      start = results.iteration.traction;
+      evaluate(results);
+    } while (!iterated_enough(results, tolerance));
+    results.iteration.steps = steps;
+
+    CarriedState state;
+    for (const BodyResult &body : results.bodies)
+      state.displacements.push_back(body.displacement);
+    state.pressures = results.iteration.traction;
+    return state;
+  }
+
+  double Simulation::first_tolerance(const Results &results) const
+  {
+    constexpr double first_guess = .1; // of the discretisation error
+    const double asked = scene_.decomposition.tolerance, share = scene_.adaptation.iteration_fraction;
+    if (!adapts() || resultant_body() != nullptr)
+      return asked;
+    const double last = results.passes.empty() ? first_guess : results.passes.back().discretisation.value();
+    return std::max(asked, .5 * share * last); // a refined mesh has less
+  }
+
+  /// Whether the iteration error has its share of the discretisation error; else sets the tolerance anew.
+  bool Simulation::iterated_enough(const Results &results, double &tolerance) const
+  {
+    const SchemeResult &iteration = results.iteration;
+    const double asked = scene_.decomposition.tolerance, share = scene_.adaptation.iteration_fraction;
+    if (!adapts() || resultant_body() != nullptr || !iteration.converged() ||
+        iteration.stopped_by != StoppedBy::bound || iteration.iteration_error <= asked)
+      return true;
+    const double allowed = std::max(asked, share * estimation_.discretisation());
+    tolerance = std::max(asked, .5 * allowed);
+    return iteration.iteration_error <= allowed;
   }
 
   const Body *Simulation::resultant_body() const
   {
-    for (const auto &body : bodies_)
+    for (const auto &body : bodies())
       if (body->resultant())
         return body.get();
     return nullptr;
   }
 
-  SchemeResult Simulation::solve_interface(const InterfaceProblem &problem, const InterfaceSolver &solver,
-                                           const StepObserver &observer, Results &results) const
+  SchemeResult Simulation::solve_interface(const std::optional<Eigen::VectorXd> &start,
+                                           const double tolerance, const StepObserver &observer,
+                                           Results &results) const
   {
-    std::optional<Eigen::VectorXd> start;
+    const InterfaceProblem &problem = model_->problem();
+    std::optional<Eigen::VectorXd> from = start;
     SchemeResult result;
     double &delta = results.rigid_displacement;
     const auto solve = [&] {
       const unsigned int steps_before =
           result.steps; // a given force takes several solutions: one count for all
-      result = solver.solve(problem.loads(delta), start, [&](StepRecord record) {
+      const auto count_on = [&](StepRecord record) {
         record.step += steps_before;
-        if (observer)
-          observer(record);
-      });
+        observer(record);
+      };
+      result = solver_->solve(problem.loads(delta), from, count_on, tolerance);
       result.steps += steps_before;
       if (result.converged())
-        start = result.traction;
+        from = result.traction;
     };
     const Body *const pressed = resultant_body();
     if (pressed == nullptr)
@@ -163,50 +169,41 @@ namespace abut
       const Eigen::VectorXd contact = problem.contact_forces(index, result.traction);
       return pressed->rigid_side_force(pressed->deformation(contact, delta), contact);
     };
-    double guess = std::abs(pressed->resultant()->force) / pressed->material().young_modulus;
-    for (const ContactPair &pair : pairs_)
-      guess += std::max(1e-6 * pair.slave().depth, pair.coupling().smallest_gap);
-    delta = find_rigid_displacement(force, pressed->resultant()->force, guess,
-                                    std::max(10. * scene_.decomposition.tolerance, 1e-10),
-                                    "Body " + pressed->name() + ", side " + pressed->resultant()->boundary);
+    double guess = std::abs(delta); // of the mesh before
+    if (guess == 0.)
+    {
+      guess = std::abs(pressed->resultant()->force) / pressed->material().young_modulus;
+      for (const ContactPair &pair : pairs())
+        guess += std::max(1e-6 * pair.slave().depth, pair.coupling().smallest_gap);
+    }
+    delta =
+        find_rigid_displacement(force, pressed->resultant()->force, guess, std::max(10. * tolerance, 1e-10),
+                                "Body " + pressed->name() + ", side " + pressed->resultant()->boundary);
     return result;
   }
 
-  Results Simulation::run(const StepObserver &observer)
+  bool Simulation::adapts() const
   {
-    check_supports();
-    Results results;
-    results.scene = &scene_;
-    results.times.mesh = mesh_time_;
-    prepare(results.times);
+    return std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
+                       [](const BodyDescription &body) { return body.adapt; });
+  }
 
-    std::vector<const TraceBody *> trace_bodies;
-    for (const auto &body : bodies_)
-      trace_bodies.push_back(body.get());
-    const InterfaceProblem problem(trace_bodies, pairs_);
-    std::unique_ptr<InterfaceSolver> solver;
-    {
-      const Stopwatch watch(results.times.solve);
-      solver = std::make_unique<InterfaceSolver>(problem, scene_.decomposition);
-    }
-    results.compliance_is_dense = solver->compliance().is_dense();
-    {
-      const Stopwatch watch(results.times.interface);
-      results.iteration = solve_interface(problem, *solver, observer, results);
-    }
-    {
-      const Stopwatch watch(results.times.solve);
-      results.bodies.resize(bodies_.size());
-      for_each_body(bodies_.size(),
-                    [&](const std::size_t a) { results.bodies[a] = body_result(a, problem, results); });
-    }
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      results.pairs.push_back(pair_result(i, problem, results.iteration));
-
-    results.limit_distance = limit_distance(problem, *solver, results);
-    if (reference_)
-      results.true_errors = true_errors(*reference_, results);
-    results.left_out = left_out(results);
-    return results;
+  std::optional<CarriedState> Simulation::adapt(const CarriedState &state, Results &results)
+  {
+    const Stopwatch watch(results.times.adapt);
+    const auto n_meshes = [&] {
+      unsigned int sum = 0;
+      for (const auto &body : bodies())
+        sum += body->counters().meshes;
+      return sum;
+    };
+    const unsigned int before = n_meshes();
+    const CarriedState carried =
+        model_->adapt(mark_all(scene_, estimation_, results.bodies, results.pairs), state);
+    if (n_meshes() > before || scene_.adaptation.combined)
+      return carried;
+    results.adaptation_end = {"no cell to split",
+                              limit_message(results, "no cell is left that could be split")};
+    return {};
   }
 } // namespace abut

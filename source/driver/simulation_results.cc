@@ -45,11 +45,10 @@ namespace abut
     }
   } // namespace
 
-  BodyResult Simulation::body_result(const std::size_t index, const InterfaceProblem &problem,
-                                     const Results &results) const
+  BodyResult Simulation::body_result(const std::size_t index, const Results &results) const
   {
-    const Body &body = *bodies_[index];
-    const Eigen::VectorXd contact = problem.contact_forces(index, results.iteration.traction);
+    const Body &body = *bodies()[index];
+    const Eigen::VectorXd contact = model_->problem().contact_forces(index, results.iteration.traction);
     BodyResult result;
     result.body = &body;
     result.deformation = body.deformation(contact, results.rigid_displacement);
@@ -64,17 +63,17 @@ namespace abut
     return result;
   }
 
-  PairResult Simulation::pair_result(const std::size_t index, const InterfaceProblem &problem,
-                                     const SchemeResult &iteration) const
+  PairResult Simulation::pair_result(const std::size_t index, const Results &results) const
   {
-    const ContactPair &pair = pairs_[index];
+    const InterfaceProblem &problem = model_->problem();
+    const ContactPair &pair = pairs()[index];
     const Index offset = problem.pressure_offset(index), n = pair.n_multipliers();
     const Eigen::VectorXd &weights = pair.coupling().weights;
     PairResult result;
     result.pair = &pair;
-    result.slave = &bodies_[pair.slave().body]->contact_sides()[pair.slave().side];
-    result.gaps = problem.gaps(iteration.response).segment(offset, n);
-    result.pressures = iteration.traction.segment(offset, n);
+    result.slave = &bodies()[pair.slave().body]->contact_sides()[pair.slave().side];
+    result.gaps = problem.gaps(results.iteration.response).segment(offset, n);
+    result.pressures = results.iteration.traction.segment(offset, n);
     const Eigen::VectorXd forces = pair.coupling().slave.transpose() * result.pressures;
     for (Index i = 0; i < forces.size(); i += 2)
       result.force += forces.segment<2>(i);
@@ -83,17 +82,24 @@ namespace abut
     result.contact_length = (result.gaps.array() < 0.).select(weights, 0.).sum();
     result.min_gap = result.gaps.minCoeff();
     result.max_penetration = std::max(0., -result.min_gap);
+    const auto displacement = [&](const ContactBody &side) -> Eigen::VectorXd {
+      const BodyResult &body = results.bodies[side.body];
+      const auto size = static_cast<Index>(2 * body.body->contact_sides()[side.side].n_nodes());
+      return body.body->trace_of(body.displacement).segment(body.body->trace_offset(side.side), size);
+    };
+    result.missed = pair.missed_contact(*result.slave, displacement(pair.slave()),
+                                        displacement(pair.master()), result.gaps);
     return result;
   }
 
-  std::optional<LimitDistance> Simulation::limit_distance(const InterfaceProblem &problem,
-                                                          const InterfaceSolver &solver,
-                                                          const Results &results) const
+  std::optional<LimitDistance> Simulation::limit_distance(const Results &results) const
   {
     const SchemeResult &reached = results.iteration;
-    if (reached.stopped_by != StoppedBy::increment || !reached.converged() || !results.compliance_is_dense)
+    if (!solver_ || reached.stopped_by != StoppedBy::increment || !reached.converged() ||
+        !results.compliance_is_dense)
       return {};
-    const SchemeResult limit = solver.limit(problem.loads(results.rigid_displacement), reached.traction);
+    const InterfaceProblem &problem = model_->problem();
+    const SchemeResult limit = solver_->limit(problem.loads(results.rigid_displacement), reached.traction);
     if (!limit.converged())
       return {};
     double energy = 0.;
@@ -102,16 +108,33 @@ namespace abut
     return distance_from(limit, reached, problem, std::sqrt(energy));
   }
 
+  std::vector<std::string> Simulation::warnings(const Results &results) const
+  {
+    std::vector<std::string> sentences;
+    for (const PairResult &pair : results.pairs)
+      if (!pair.missed.empty())
+        sentences.push_back(
+            "Contact " + pair.pair->name() + ": the bodies overlap within " +
+            std::to_string(pair.missed.size()) +
+            " pieces of the slave side far from any node in contact; contact smaller than a cell is not "
+            "resolved, use finer cells or let the bodies adapt (Body <name>/Adapt)");
+    return sentences;
+  }
+
   std::vector<std::string> Simulation::left_out(const Results &results) const
   {
-    std::vector<std::string> items = {"MPI and p4est (serial run)", "adaptation (uniform meshes)",
-                                      "boundary elements (no estimator asked for)",
-                                      "mortar coupling inside bodies (conforming meshes)"};
+    std::vector<std::string> items = {"MPI and p4est (serial run)"};
+    if (!indicator_)
+      items.emplace_back("error estimation (no estimator asked for)");
+    if (!adapts())
+      items.emplace_back("adaptation (no body adapts)");
+    items.emplace_back("boundary elements (no estimator asked for)");
+    items.emplace_back("mortar coupling inside bodies (hanging nodes)");
     if (scene_.contacts.empty())
       items.emplace_back("contact (a scene without pairs)");
     if (!results.compliance_is_dense)
       items.emplace_back("dense interface compliance (solves are cheaper here)");
-    if (scene_.reference.solution == ReferenceParameters::Solution::none)
+    if (!exact_)
       items.emplace_back("true errors (no exact solution named)");
     return items;
   }

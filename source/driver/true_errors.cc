@@ -2,45 +2,73 @@
 #include <abut/driver/true_errors.h>
 
 #include <cmath>
+#include <tbb/parallel_for.h>
 
 namespace abut
 {
   namespace
   {
-    /// Sums of squares over the bodies.
+    /// Integrals over a body.
     struct Squares
     {
       double energy_error = 0., energy = 0., stress_error = 0., stress = 0.;
 
-      void add(const Material &material, const Stress &computed, const Stress &exact, const double weight)
+      void operator+=(const Squares &other)
       {
-        const Stress error = computed - exact;
-        energy_error += weight * material.energy_density(error);
-        energy += weight * material.energy_density(exact);
-        stress_error += weight * error.square();
-        stress += weight * exact.square();
+        energy_error += other.energy_error;
+        energy += other.energy;
+        stress_error += other.stress_error;
+        stress += other.stress;
       }
     };
 
-    void add_body(const LayersReference &reference, const std::size_t index, const BodyResult &result,
-                  Squares &squares)
+    /// A quadrature point in the body's own frame and the computed stress there.
+    struct Sample
+    {
+      Vector2 own_point;
+      double weight;
+      Stress computed;
+    };
+
+    std::vector<Sample> sample(const BodyResult &result)
     {
       const Space &space = result.body->space();
+      const Material material = result.body->material();
+      const Placement &placement = result.body->description().placement;
+      Eigen::Matrix2d turn;
+      turn << placement.direction_to_world(Vector2::UnitX()), placement.direction_to_world(Vector2::UnitY());
+      std::vector<Sample> samples;
       visit_gradients(
           space, gauss_rule(space, space.degree() + 2), result.deformation,
           [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
-            const Material material = result.body->material();
-            const Placement &placement = result.body->description().placement;
-            Eigen::Matrix2d turn;
-            turn << placement.direction_to_world(Vector2::UnitX()),
-                placement.direction_to_world(Vector2::UnitY());
-            squares.add(material, material.stress(turn.transpose() * gradient * turn),
-                        reference.stress(index, placement.point_to_own(point)), weight);
+            samples.push_back(
+                {placement.point_to_own(point), weight, material.stress(turn.transpose() * gradient * turn)});
           });
+      return samples;
     }
 
-    double pressure_error(const LayersReference &reference, const PairResult &pair,
-                          const Placement &placement)
+    Squares compare(const OwnStress &exact, const BodyResult &result)
+    {
+      const std::vector<Sample> samples = sample(result);
+      const Material material = result.body->material();
+      std::vector<Stress> stresses(samples.size());
+      tbb::parallel_for(std::size_t(0), samples.size(),
+                        [&](const std::size_t i) { stresses[i] = exact(samples[i].own_point); });
+      Squares squares;
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        const Stress error = samples[i].computed - stresses[i];
+        const double weight = samples[i].weight;
+        squares.energy_error += weight * material.energy_density(error);
+        squares.energy += weight * material.energy_density(stresses[i]);
+        squares.stress_error += weight * error.square();
+        squares.stress += weight * stresses[i].square();
+      }
+      return squares;
+    }
+
+    double pressure_error(const std::function<double(const Vector2 &)> &exact_pressure,
+                          const PairResult &pair, const Placement &placement)
     {
       const GaussRule rule(8);
       double error = 0., norm = 0.;
@@ -52,8 +80,8 @@ namespace abut
           double computed = 0.;
           for (std::size_t i = 0; i < segment.nodes.size(); ++i)
             computed += values[static_cast<Eigen::Index>(i)] * pair.pressures[segment.nodes[i]];
-          const double exact = reference.pressure(placement.point_to_own(pair.slave->point(segment, s)));
-          const double weight = rule.weights[q] * segment.length;
+          const double exact = exact_pressure(placement.point_to_own(pair.slave->point(segment, s)));
+          const double weight = rule.weights[q] * pair.slave->tangent(segment, s).norm();
           error += weight * (computed - exact) * (computed - exact);
           norm += weight * exact * exact;
         }
@@ -61,19 +89,40 @@ namespace abut
     }
   } // namespace
 
-  TrueErrors true_errors(const LayersReference &reference, const Results &results)
+  TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
+                         const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs)
+  {
+    TrueErrors errors;
+    if (exact.stress(0))
+    {
+      Squares squares;
+      for (std::size_t a = 0; a < bodies.size(); ++a)
+        squares += compare(exact.stress(a), bodies[a]);
+      errors.energy = std::sqrt(squares.energy_error / squares.energy);
+      errors.stress = std::sqrt(squares.stress_error / squares.stress);
+    }
+    if (pairs.empty())
+      return errors;
+    const PairResult &pair = pairs.front();
+    const Placement &slave = scene.bodies[pair.pair->slave().body].placement;
+    if (const auto pressure = exact.pressure())
+      errors.pressure = pressure_error(pressure, pair, slave);
+    if (const auto force = exact.force())
+      errors.force = std::abs(pair.normal_force / slave.length_to_world(*force) - 1.);
+    return errors;
+  }
+
+  std::optional<double> response_error(const ExactSolution &exact, const std::vector<BodyResult> &bodies,
+                                       const std::vector<PairResult> &pairs)
   {
     Squares squares;
-    for (std::size_t a = 0; a < results.bodies.size(); ++a)
-      add_body(reference, a, results.bodies[a], squares);
-    const PairResult &pair = results.pairs.front();
-    const Placement &slave = results.scene->bodies[pair.pair->slave().body].placement;
-    TrueErrors errors;
-    errors.energy = std::sqrt(squares.energy_error / squares.energy);
-    errors.stress = std::sqrt(squares.stress_error / squares.stress);
-    errors.pressure = pressure_error(reference, pair, slave);
-    const double force = slave.length_to_world(reference.force());
-    errors.force = std::abs(pair.normal_force - force) / force;
-    return errors;
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+    {
+      const OwnStress response = exact.response(a, pairs);
+      if (!response)
+        return {};
+      squares += compare(response, bodies[a]);
+    }
+    return std::sqrt(squares.stress_error);
   }
 } // namespace abut

@@ -87,7 +87,7 @@ namespace abut
 
   void Body::set_up()
   {
-    ++counters_.meshes;
+    counters_.meshes = space_->n_meshes();
     collect_sides();
     resultant_ = find_resultant(description_, sides_);
     set_up_supports();
@@ -141,6 +141,8 @@ namespace abut
   std::vector<Eigen::VectorXd> Body::adapt(const CellMarks &marks, const std::vector<Eigen::VectorXd> &fields)
   {
     std::vector<Eigen::VectorXd> carried = space_->adapt(marks, fields);
+    if (space_->n_meshes() == counters_.meshes)
+      return carried;
     cholesky_.reset();
     set_up();
     return carried;

@@ -26,6 +26,14 @@ namespace abut
       return std::make_unique<dealii::FE_Q<2>>(degree);
     }
 
+    bool has_flags(const dealii::Triangulation<2> &triangulation)
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->refine_flag_set() || cell->coarsen_flag_set())
+          return true;
+      return false;
+    }
+
     /// H of Space::hanging_node_expansion.
     Eigen::SparseMatrix<double> expansion(const dealii::AffineConstraints<double> &constraints,
                                           const Eigen::Index n)
@@ -61,6 +69,7 @@ namespace abut
 
   void Space::distribute()
   {
+    ++n_meshes_;
     dof_handler_.distribute_dofs(*element_);
     dealii::AffineConstraints<double> constraints;
     dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints);
@@ -83,6 +92,8 @@ namespace abut
 
     set_flags(triangulation, marks);
     triangulation.prepare_coarsening_and_refinement();
+    if (!has_flags(triangulation))
+      return fields;
     dealii::SolutionTransfer<2, Field> transfer(dof_handler_);
     if (fields.empty())
       transfer.prepare_for_pure_refinement();

@@ -28,6 +28,9 @@ namespace abut
       case Shape::rectangle_curved_top:
         mesh = rectangle(body);
         break;
+      case Shape::l_shape:
+        mesh = l_shape(body);
+        break;
       case Shape::ring:
       case Shape::quarter_ring:
         mesh = ring(body);
@@ -43,8 +46,7 @@ namespace abut
 
     bool has_curved_sides(const BodyDescription &body)
     {
-      return body.shape != Shape::rectangle && body.shape != Shape::mesh_file &&
-             body.cell_type == CellType::quadrilaterals;
+      return has_curves(body.shape) && body.cell_type == CellType::quadrilaterals;
     }
 
     void place(RawMesh &mesh, const Placement &placement)

@@ -52,6 +52,7 @@ namespace abut
     switch (body.shape)
     {
     case Shape::rectangle:
+    case Shape::l_shape:
     case Shape::mesh_file:
       return;
     case Shape::rectangle_curved_top:

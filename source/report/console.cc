@@ -62,8 +62,9 @@ namespace abut
     void print_iteration(std::ostream &out, const Results &results)
     {
       const SchemeResult &iteration = results.iteration;
-      out << "\n  Stopped after " << iteration.steps << (iteration.steps == 1 ? " step " : " steps ")
-          << stop_text(iteration) << ", gamma = " << short_number(iteration.relaxation, 3) << ".\n";
+      const unsigned int steps = results.steps();
+      out << "\n  Stopped after " << steps << (steps == 1 ? " step " : " steps ") << stop_text(iteration)
+          << ", gamma = " << short_number(iteration.relaxation, 3) << ".\n";
       if (std::isfinite(iteration.iteration_error))
         out << "  Iteration error (energy norm) at most " << short_number(iteration.iteration_error, 3)
             << " of the solution.\n";
@@ -71,8 +72,36 @@ namespace abut
         out << "  What that is worth: contact displacement " << percent(limit->displacement)
             << " from the limit of the iteration, energy norm " << percent(limit->energy)
             << "; peak pressure there " << short_number(limit->peak_pressure, 5) << ".\n";
-      if (!iteration.converged())
-        out << "  NOT CONVERGED: " << iteration.message << '\n';
+      if (!results.converged())
+        out << "  NOT CONVERGED: " << results.message() << '\n';
+      for (const std::string &warning : results.warnings)
+        out << "  WARNING: " << warning << '\n';
+    }
+
+    /// One line for each mesh.
+    void print_passes(std::ostream &out, const Results &results)
+    {
+      if (results.passes.empty() || !results.passes.back().discretisation)
+        return;
+      const auto value = [](const std::optional<double> &number, const int digits) {
+        return number ? short_number(*number, digits) : std::string("-");
+      };
+      Table table = {{"pass", "cells", "unknowns", "steps", "eta max", "estimated", "iteration",
+                      "true energy", "true stress", "pressure", "effectivity", "total", "seconds"}};
+      for (const PassRecord &pass : results.passes)
+        table.push_back({std::to_string(pass.pass), std::to_string(pass.counts.cells),
+                         std::to_string(pass.counts.dofs), std::to_string(pass.steps), value(pass.eta_max, 3),
+                         value(pass.discretisation, 3), short_number(pass.iteration, 3),
+                         value(pass.true_errors.energy, 3), value(pass.true_errors.stress, 3),
+                         value(pass.true_errors.pressure, 3), value(pass.effectivity, 3),
+                         value(pass.effectivity_total, 3), short_number(pass.seconds, 3)});
+      out << "\n  Passes; relative errors: estimated, iteration, true energy in the energy norm, stress in "
+             "L2 over\n"
+             "  xx, yy, zz, 2 xy, pressure in L2; effectivity of the estimated stress error, total of the "
+             "energy\n"
+          << aligned(table);
+      if (results.adaptation_end)
+        out << "  The adaptation ended by: " << results.adaptation_end->stopped_by << '\n';
     }
 
     void print_true_errors(std::ostream &out, const TrueErrors &errors)
@@ -95,9 +124,11 @@ namespace abut
       const auto seconds = [](const double value) { return short_number(value, 3); };
       out << '\n'
           << aligned(
-                 {{"time in s", "total", "mesh", "assemble", "factorise", "solve", "interface", "output"},
+                 {{"time in s", "total", "mesh", "assemble", "factorise", "solve", "interface", "estimate",
+                   "adapt", "reference", "output"},
                   {"", seconds(total), seconds(times.mesh), seconds(times.assemble), seconds(times.factorise),
-                   seconds(times.solve), seconds(times.interface), seconds(times.output)}});
+                   seconds(times.solve), seconds(times.interface), seconds(times.estimate),
+                   seconds(times.adapt), seconds(times.reference), seconds(times.output)}});
     }
   } // namespace
 
@@ -107,6 +138,7 @@ namespace abut
     print_bodies(out, results);
     print_contacts(out, results);
     print_iteration(out, results);
+    print_passes(out, results);
     print_true_errors(out, results.true_errors);
     print_times(out, results.times, total_seconds);
     if (!results.left_out.empty())

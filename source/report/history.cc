@@ -6,41 +6,82 @@
 
 namespace abut
 {
+  namespace
+  {
+    std::string cell(const std::optional<double> &value)
+    {
+      return value ? exact_number(*value) : std::string();
+    }
+
+    void write_row(const std::vector<std::string> &row, std::ostream &out)
+    {
+      for (std::size_t i = 0; i < row.size(); ++i)
+        out << (i == 0 ? "" : ",") << row[i];
+      out << '\n';
+    }
+  } // namespace
+
+  void History::end_pass(const PassRecord &record)
+  {
+    if (!rows_.empty() && rows_.back().pass == record.pass)
+      rows_.back().found = record;
+  }
+
+  std::vector<std::string> History::cells(const Row &row)
+  {
+    const PassRecord found = row.found.value_or(PassRecord());
+    return {std::to_string(row.pass),
+            std::to_string(row.step.step),
+            std::to_string(row.counts.dofs),
+            std::to_string(row.counts.boundary_dofs),
+            std::to_string(row.counts.cells),
+            cell(found.eta_max),
+            exact_number(row.step.increment),
+            cell(found.discretisation),
+            {}, // error_penalty
+            exact_number(row.step.bound),
+            cell(found.total),
+            cell(found.true_errors.energy),
+            cell(found.true_errors.stress),
+            cell(found.effectivity),
+            cell(found.effectivity_total),
+            exact_number(row.step.normal_force),
+            exact_number(row.step.max_pressure),
+            exact_number(row.wall_time),
+            cell(found.true_errors.pressure),
+            cell(found.true_errors.force),
+            cell(found.stress),
+            cell(found.change)};
+  }
+
   std::string History::csv() const
   {
     std::ostringstream out;
-    out << "pass,step,dofs,boundary_dofs,cells,eta_max,increment,error_discretisation,error_penalty,"
-           "error_iteration,error_total,true_error_energy,true_error_stress,effectivity,effectivity_total,"
-           "normal_force,max_pressure,wall_time_s\n";
-    const std::string pass = "0", unknown;
-    for (const auto &[record, wall_time] : rows_)
-    {
-      const std::string cells[] = {pass,
-                                   std::to_string(record.step),
-                                   std::to_string(counts_.dofs),
-                                   std::to_string(counts_.boundary_dofs),
-                                   std::to_string(counts_.cells),
-                                   unknown, // eta_max
-                                   exact_number(record.increment),
-                                   unknown, // error_discretisation
-                                   unknown, // error_penalty
-                                   exact_number(record.bound),
-                                   unknown, // error_total
-                                   unknown, // true_error_energy
-                                   unknown, // true_error_stress
-                                   unknown, // effectivity
-                                   unknown, // effectivity_total
-                                   exact_number(record.normal_force),
-                                   exact_number(record.max_pressure),
-                                   exact_number(wall_time)};
-      const char *separator = "";
-      for (const std::string &cell : cells)
-      {
-        out << separator << cell;
-        separator = ",";
-      }
-      out << '\n';
-    }
+    write_row({"pass",
+               "step",
+               "dofs",
+               "boundary_dofs",
+               "cells",
+               "eta_max",
+               "increment",
+               "error_discretisation",
+               "error_penalty",
+               "error_iteration",
+               "error_total",
+               "true_error_energy",
+               "true_error_stress",
+               "effectivity",
+               "effectivity_total",
+               "normal_force",
+               "max_pressure",
+               "wall_time_s",
+               "true_error_pressure",
+               "true_error_force",
+               "error_stress",
+               "change"},
+              out);
+    for (const Row &row : rows_)
+      write_row(cells(row), out);
     return out.str();
   }
 } // namespace abut

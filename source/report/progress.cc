@@ -35,6 +35,14 @@ namespace abut
       : out_(out), terminal_(terminal), quiet_(quiet)
   {}
 
+  void ProgressLine::begin_pass(const unsigned int pass, const Counts &counts)
+  {
+    if (quiet_ || pass == 0)
+      return;
+    finish();
+    out_ << "pass " << pass << ": " << counts.cells << " cells, " << counts.dofs << " unknowns" << std::endl;
+  }
+
   void ProgressLine::step(const StepRecord &record)
   {
     if (quiet_)
@@ -49,6 +57,7 @@ namespace abut
   {
     if (waiting_)
       show(*waiting_);
+    waiting_.reset();
     if (line_is_open_)
       out_ << std::endl;
     line_is_open_ = false;

@@ -72,15 +72,22 @@ namespace abut
               {"max_penetration", number(result.max_penetration)},
               {"min_gap", number(result.min_gap)},
               {"penalty", number(result.pair->penalty())},
-              {"coverage", number(result.pair->coverage())}};
+              {"coverage", number(result.pair->coverage())},
+              {"missed_contact", result.missed.size()}};
     }
 
-    Json error_summary(const SchemeResult &iteration)
+    Json error_summary(const Results &results)
     {
-      return {{"discretisation", nullptr},
+      const PassRecord pass = results.passes.empty() ? PassRecord() : results.passes.back();
+      return {{"norm", "energy"},
+              {"discretisation", number(pass.discretisation)},
               {"penalty", nullptr},
-              {"iteration", number(iteration.iteration_error)},
-              {"total", nullptr}};
+              {"iteration", number(results.iteration.iteration_error)},
+              {"total", number(pass.total)},
+              {"stress", number(pass.stress)},
+              {"eta_max", number(pass.eta_max)},
+              {"effectivity", number(pass.effectivity)},
+              {"effectivity_total", number(pass.effectivity_total)}};
     }
 
     Json true_error_summary(const TrueErrors &errors)
@@ -88,7 +95,38 @@ namespace abut
       return {{"energy", number(errors.energy)},
               {"stress", number(errors.stress)},
               {"pressure", number(errors.pressure)},
-              {"force", number(errors.force)}};
+              {"force", number(errors.force)},
+              {"norms",
+               {{"energy", "energy norm, all bodies"},
+                {"stress", "L2 over xx, yy, zz and twice xy, all bodies"},
+                {"pressure", "L2 on the slave side of the first contact"},
+                {"force", "normal force of the first contact"}}}};
+    }
+
+    Json pass_summary(const PassRecord &pass)
+    {
+      return {{"pass", pass.pass},
+              {"cells", pass.counts.cells},
+              {"dofs", pass.counts.dofs},
+              {"boundary_dofs", pass.counts.boundary_dofs},
+              {"steps", pass.steps},
+              {"increment", number(pass.increment)},
+              {"eta_max", number(pass.eta_max)},
+              {"error_discretisation", number(pass.discretisation)},
+              {"error_iteration", number(pass.iteration)},
+              {"error_total", number(pass.total)},
+              {"error_stress", number(pass.stress)},
+              {"true_error_energy", number(pass.true_errors.energy)},
+              {"true_error_stress", number(pass.true_errors.stress)},
+              {"true_error_pressure", number(pass.true_errors.pressure)},
+              {"true_error_force", number(pass.true_errors.force)},
+              {"effectivity", number(pass.effectivity)},
+              {"effectivity_total", number(pass.effectivity_total)},
+              {"change", number(pass.change)},
+              {"normal_force", number(pass.normal_force)},
+              {"max_pressure", number(pass.max_pressure)},
+              {"missed_contact", pass.n_missed},
+              {"wall_time_s", number(pass.seconds)}};
     }
 
     /// Displacement of the scene's side with a given resultant, if it has one.
@@ -122,8 +160,9 @@ namespace abut
               {"solve", number(times.solve)},
               {"interface", number(times.interface)},
               {"bem", 0.},
-              {"estimate", 0.},
-              {"adapt", 0.},
+              {"estimate", number(times.estimate)},
+              {"adapt", number(times.adapt)},
+              {"reference", number(times.reference)},
               {"output", number(times.output)}};
     }
 
@@ -197,16 +236,21 @@ namespace abut
 
     const SchemeResult &iteration = results.iteration;
     Json json;
-    json["status"] = iteration.converged() ? "converged" : "not converged";
-    json["stopped_by"] = to_string(iteration.stopped_by);
-    json["message"] = iteration.message;
-    json["passes"] = 1;
-    json["steps"] = iteration.steps;
+    json["status"] = results.converged() ? "converged" : "not converged";
+    json["stopped_by"] =
+        results.adaptation_end ? results.adaptation_end->stopped_by : to_string(iteration.stopped_by);
+    json["message"] = results.message();
+    json["warnings"] = results.warnings;
+    json["passes"] = results.passes.size();
+    json["steps"] = results.steps();
     json["relaxation"] = number(iteration.relaxation);
     json["bodies"] = bodies;
     json["contacts"] = contacts;
-    json["error"] = error_summary(iteration);
+    json["error"] = error_summary(results);
     json["true_error"] = true_error_summary(results.true_errors);
+    json["pass_table"] = Json::array();
+    for (const PassRecord &pass : results.passes)
+      json["pass_table"].push_back(pass_summary(pass));
     json["iteration"] = iteration_summary(results);
     json["time_s"] = time_summary(results.times, total_seconds);
     json["peak_memory_mb"] = peak_memory_mb();

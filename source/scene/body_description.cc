@@ -20,6 +20,7 @@ namespace abut
                                 {"disc", Shape::disc},
                                 {"half disc", Shape::half_disc},
                                 {"quarter disc", Shape::quarter_disc},
+                                {"L-shape", Shape::l_shape},
                                 {"ring", Shape::ring},
                                 {"quarter ring", Shape::quarter_ring}};
 
@@ -31,19 +32,21 @@ namespace abut
       prm.declare_entry(
           "Shape", "rectangle", Patterns::Selection(words_of(shapes)),
           "Built-in shape, in the body's own frame. Rectangle: corner at the origin, sides left, "
-          "right, bottom, top. Discs and rings: centre at the origin, sides outer, inner; halves "
+          "right, bottom, top. L-shape: the square of twice the size around the origin without its "
+          "quarter x > 0, y < 0, sides left, right, bottom, top and corner, the two edges that meet at the "
+          "origin. Discs and rings: centre at the origin, sides outer, inner; halves "
           "(y >= 0) have also bottom, quarters (x, y >= 0) left and bottom. Not used with a mesh "
           "file.");
       prm.declare_entry(
           "Size", "1, 1", Patterns::List(Patterns::Double(0.), 1, 2),
           "Lengths, before Scale. Rectangles: width, height; discs: radius; rings: inner, outer "
-          "radius.");
+          "radius; L-shape: half its width.");
       prm.declare_entry("Top", "", Patterns::Anything(),
                         "Rectangle with curved top: height y of the top at x, a formula. Length.");
       prm.declare_entry(
           "Cells", "8, 8", Patterns::List(Patterns::Integer(1, 100000), 2, 2),
-          "Number of cells. Rectangles: along x, along y; discs and rings: along a quarter of the "
-          "arc, along the radius.");
+          "Number of cells. Rectangles: along x, along y; L-shape: the same in each of its three squares; "
+          "discs and rings: along a quarter of the arc, along the radius.");
       prm.declare_entry("Grading", "1, 1", Patterns::List(Patterns::Double(0.), 2, 2),
                         "Rectangles: size of the last cell over that of the first, along x and y. No unit.");
       prm.declare_entry("Cell type", "quadrilaterals", Patterns::Selection(words_of(cell_types)),
@@ -73,7 +76,7 @@ namespace abut
           "Degree", "0", Patterns::Integer(0, 3),
           "Polynomial degree, 1 to 3 (triangles: 1 or 2). 0: that of the section Discretisation.");
       prm.declare_entry("Adapt", "false", Patterns::Bool(),
-                        "Whether the mesh is refined by an error estimate. Only false in this version.");
+                        "Whether the mesh follows the error that Adaptation/Estimator tells.");
       prm.declare_entry("Nonconforming edges", "hanging nodes", Patterns::Selection("hanging nodes"),
                         "How edges between a cell and finer ones are joined.");
     }
@@ -99,7 +102,8 @@ namespace abut
           "tangential displacement (1), traction (2), pressure (1, positive presses), resultant (1 "
           "along the outward normal, or 2: a rigid side that carries this force). Displacements "
           "are lengths before Scale; tractions and pressures stresses; resultants forces per "
-          "thickness. A point takes displacement, displacement x, displacement y. Sides without a "
+          "thickness. Displacements (also x, y) may be `exact`: those of Reference/Exact solution. A point "
+          "takes displacement, displacement x, displacement y. Sides without a "
           "condition are free.");
     }
 
@@ -127,6 +131,8 @@ namespace abut
       case Shape::ring:
       case Shape::quarter_ring:
         return "inner radius, outer radius";
+      case Shape::l_shape:
+        return "half width";
       default:
         return "radius";
       }
@@ -230,13 +236,6 @@ namespace abut
                         "`, allowed are numbers between -1 and 0.5, both excluded");
       return nu;
     }
-
-    void refuse_adaptation(const ParameterHandler &prm, const std::string &where)
-    {
-      if (prm.get_bool("Adapt"))
-        throw UserError(
-            where + "Adapt: received `true`, allowed is false: adaptation is not available in this version");
-    }
   } // namespace
 
   void BodyDescription::declare(ParameterHandler &prm)
@@ -257,7 +256,7 @@ namespace abut
     parse_shape(prm, body, constants, where, directory);
     body.placement = parse_placement(prm, where);
     body.degree = parse_degree(prm, default_degree, body.cell_type, where);
-    refuse_adaptation(prm, where);
+    body.adapt = prm.get_bool("Adapt");
     body.young_modulus = positive(prm, "Young modulus", where);
     body.poisson_ratio = parse_poisson_ratio(prm, where);
     body.body_force = parse_body_force(prm.get("Body force"), constants, where + "Body force");

@@ -19,7 +19,8 @@ namespace abut
         {"pressure", ConditionKind::pressure},
         {"resultant", ConditionKind::resultant}};
 
-    bool holds_at_point(const ConditionKind kind)
+    /// Kinds that take a displacement along axes, and so hold at points and take exact values.
+    bool is_displacement(const ConditionKind kind)
     {
       return kind == ConditionKind::displacement || kind == ConditionKind::displacement_x ||
              kind == ConditionKind::displacement_y;
@@ -59,6 +60,23 @@ namespace abut
               constant_value(coordinates[1], constants, where)};
     }
 
+    void parse_expressions(const std::string &text, const Constants &constants, const std::string &where,
+                           Condition &condition)
+    {
+      condition.exact = text == "exact";
+      if (condition.exact)
+      {
+        if (!is_displacement(condition.kind))
+          throw UserError(where + ": received `exact` for `" + to_string(condition.kind) +
+                          "`, allowed are displacement, displacement x, displacement y");
+        return;
+      }
+      for (const auto &piece : split_outside_parentheses(text, ','))
+        condition.expressions.emplace_back(piece, constants, where);
+      check_number_of_expressions(condition, where);
+      check_resultant(condition, where);
+    }
+
     Condition parse_condition(const std::string &text, const Constants &constants, const std::string &where)
     {
       const auto first = text.find(':');
@@ -72,15 +90,11 @@ namespace abut
         throw UserError(where + ": received `" + text + "`, which names no boundary before its first colon");
       const std::string here = where + ": " + condition.boundary;
       condition.kind = choose(condition_kinds, trim(text.substr(first + 1, second - first - 1)), here);
-      for (const auto &piece : split_outside_parentheses(text.substr(second + 1), ','))
-        condition.expressions.emplace_back(piece, constants, here);
-      check_number_of_expressions(condition, here);
-      check_resultant(condition, here);
-
+      parse_expressions(trim(text.substr(second + 1)), constants, here, condition);
       if (condition.boundary.front() == '(')
       {
         condition.point = parse_point(condition.boundary, constants, where);
-        if (!holds_at_point(condition.kind))
+        if (!is_displacement(condition.kind))
           throw UserError(here + ": received `" + to_string(condition.kind) +
                           "` at a point, allowed are displacement, displacement x, displacement y");
       }

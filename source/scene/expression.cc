@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <regex>
 
 namespace abut
@@ -45,11 +46,6 @@ namespace abut
     }
   } // namespace
 
-  struct Expression::Parser
-  {
-    dealii::FunctionParser<2> function;
-  };
-
   Expression::Expression(const std::string &text, const Constants &constants, const std::string &where)
       : text_(trim(text)), where_(where)
   {
@@ -63,10 +59,12 @@ namespace abut
     try
     {
       const SilentErrorStream silent;
-      const auto parser = std::make_shared<Parser>();
-      parser->function.initialize("x,y", text_, all);
-      parser->function.value(dealii::Point<2>()); // the text is only read now
-      parser_ = parser;
+      const auto parser = std::make_shared<dealii::FunctionParser<2>>();
+      parser->initialize("x,y", text_, all);
+      parser->value(dealii::Point<2>()); // the text is only read now
+      function_ = [parser](const Vector2 &point) {
+        return parser->value(dealii::Point<2>(point.x(), point.y()));
+      };
     }
     catch (const dealii::ExceptionBase &exception)
     {
@@ -74,9 +72,14 @@ namespace abut
     }
   }
 
+  Expression::Expression(const std::function<double(const Vector2 &)> &function, const std::string &text,
+                         const std::string &where)
+      : text_(text), where_(where), function_(function)
+  {}
+
   double Expression::operator()(const Vector2 &own_point) const
   {
-    const double value = parser_->function.value(dealii::Point<2>(own_point.x(), own_point.y()));
+    const double value = function_(own_point);
     if (!std::isfinite(value))
       throw UserError(where_ + ": `" + text_ + "` has no finite value at (" + std::to_string(own_point.x()) +
                       ", " + std::to_string(own_point.y()) + ") of the body's own frame");

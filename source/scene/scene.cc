@@ -57,6 +57,7 @@ namespace abut
       for (const auto &name : contacts)
         declare_section(prm, "Contact " + name, ContactDescription::declare);
       declare_section(prm, "Decomposition", DecompositionParameters::declare);
+      declare_section(prm, "Adaptation", AdaptationParameters::declare);
       declare_section(prm, "Reference", ReferenceParameters::declare);
     }
 
@@ -107,6 +108,7 @@ namespace abut
         }));
       scene.decomposition =
           parse_section(prm, "Decomposition", [&] { return DecompositionParameters::parse(prm); });
+      scene.adaptation = parse_section(prm, "Adaptation", [&] { return AdaptationParameters::parse(prm); });
       scene.reference = parse_section(prm, "Reference",
                                       [&] { return ReferenceParameters::parse(prm, preamble.constants); });
     }
@@ -114,8 +116,7 @@ namespace abut
     /// Whether a body is given with curved sides but meshed with straight ones.
     bool is_polygon_for_a_curve(const BodyDescription &body)
     {
-      return body.cell_type == CellType::triangles && body.shape != Shape::rectangle &&
-             body.shape != Shape::mesh_file;
+      return body.cell_type == CellType::triangles && has_curves(body.shape);
     }
 
     void check_different(const ContactDescription &a, const ContactDescription &b)
@@ -187,6 +188,42 @@ namespace abut
             "available in this version");
     }
 
+    void check_adaptation(const Scene &scene)
+    {
+      const AdaptationParameters &adaptation = scene.adaptation;
+      bool some = false;
+      for (const BodyDescription &body : scene.bodies)
+      {
+        some = some || body.adapt;
+        if (body.adapt && adaptation.estimator == EstimatorKind::none)
+          throw UserError(
+              "Body " + body.name +
+              "/Adapt: received `true`, but Adaptation/Estimator is none; allowed with it is false");
+        if (body.adapt && body.cell_type == CellType::triangles && adaptation.coarsening > 0.)
+          throw UserError("Adaptation/Coarsening: received a share above 0, but body " + body.name +
+                          " has triangles, which cannot be merged; allowed is 0");
+        const bool carried =
+            std::any_of(body.conditions.begin(), body.conditions.end(),
+                        [](const Condition &c) { return c.kind == ConditionKind::resultant; });
+        if (carried && adaptation.combined)
+          throw UserError("Adaptation/Combined: received `true`, but body " + body.name +
+                          " carries a resultant, whose displacement takes whole solutions; allowed is false");
+      }
+      if (!some && adaptation.limit > 0.)
+        throw UserError(
+            "Adaptation/Limit: received a limit, but no body adapts; give one of them Adapt = true");
+    }
+
+    void check_exact_conditions(const Scene &scene)
+    {
+      for (const BodyDescription &body : scene.bodies)
+        for (const Condition &condition : body.conditions)
+          if (condition.exact && scene.reference.solution == ReferenceParameters::Solution::none)
+            throw UserError(
+                "Body " + body.name + "/Conditions: " + condition.boundary +
+                ": received `exact`, but Reference/Exact solution is none; name the solution there");
+    }
+
     /// The parameters as they were used, free of what depends on the file's name and place.
     std::string used_parameters(ParameterHandler &prm, const Scene &scene)
     {
@@ -216,6 +253,8 @@ namespace abut
       parse_rest(prm, preamble, scene);
       check_contacts(scene);
       check_resultants(scene);
+      check_adaptation(scene);
+      check_exact_conditions(scene);
       scene.parameters = used_parameters(prm, scene);
       return scene;
     }

@@ -121,6 +121,7 @@ namespace abut
     for (const Edge &edge : chain(collect_edges(dof_handler, boundary)))
     {
       Segment segment;
+      segment.cell = edge.cell->active_cell_index();
       for (const double s : geometry.nodes())
       {
         const auto p = geometry_mapping.transform_unit_to_real_cell(

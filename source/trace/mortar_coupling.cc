@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/trace/common_refinement.h>
 #include <abut/trace/mortar_coupling.h>
 
 #include <Eigen/Cholesky>
@@ -41,9 +40,8 @@ namespace abut
         result_.weights = result_.gap = whole_weights_;
       }
 
-      MortarCoupling run()
+      MortarCoupling run(const std::vector<Piece> &pieces)
       {
-        const std::vector<Piece> pieces = common_refinement(slave_, master_);
         for (std::size_t i = 0; i < slave_.segments().size(); ++i)
           add_whole_weights(slave_.segments()[i]);
         for (auto first = pieces.begin(); first != pieces.end();)
@@ -162,8 +160,9 @@ namespace abut
     };
   } // namespace
 
-  MortarCoupling couple(const Trace &slave, const Trace &master, const GapFunction &gap)
+  MortarCoupling couple(const Trace &slave, const Trace &master, const std::vector<Piece> &pieces,
+                        const GapFunction &gap)
   {
-    return Coupler(slave, master, gap).run();
+    return Coupler(slave, master, gap).run(pieces);
   }
 } // namespace abut

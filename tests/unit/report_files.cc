@@ -93,7 +93,8 @@ namespace
 
   TEST(ReportHistory, HasTheHeaderAndARowForEveryStep)
   {
-    History history({8, 100, 20});
+    History history;
+    history.begin_pass(0, {8, 100, 20});
     StepRecord record;
     record.step = 1;
     record.increment = .5;
@@ -108,9 +109,38 @@ namespace
     EXPECT_EQ(lines[0],
               "pass,step,dofs,boundary_dofs,cells,eta_max,increment,error_discretisation,error_penalty,"
               "error_iteration,error_total,true_error_energy,true_error_stress,effectivity,"
-              "effectivity_total,normal_force,max_pressure,wall_time_s");
-    EXPECT_EQ(lines[1], "0,1,100,20,8,,0.5,,,,,,,,,3,2,0.25");
-    EXPECT_EQ(lines[2], "0,2,100,20,8,,0.5,,,0.125,,,,,,3,2,0.75");
+              "effectivity_total,normal_force,max_pressure,wall_time_s,true_error_pressure,true_error_force,"
+              "error_stress,change");
+    EXPECT_EQ(lines[1], "0,1,100,20,8,,0.5,,,,,,,,,3,2,0.25,,,,");
+    EXPECT_EQ(lines[2], "0,2,100,20,8,,0.5,,,0.125,,,,,,3,2,0.75,,,,");
+  }
+
+  TEST(ReportHistory, WhatAPassHasFoundStandsInItsLastRow)
+  {
+    History history;
+    for (const unsigned int pass : {0u, 1u})
+    {
+      history.begin_pass(pass, {8, 100, 20});
+      StepRecord step;
+      for (step.step = 1; step.step <= 2; ++step.step)
+        history.add(step, 1.);
+      PassRecord record;
+      record.pass = pass;
+      record.eta_max = .5 - .25 * pass;
+      record.discretisation = .25;
+      record.total = .375;
+      record.true_errors = {.125, .0625, .03125, .75};
+      record.effectivity = 2.;
+      record.effectivity_total = 3.;
+      record.stress = 7.;
+      record.change = 9.;
+      history.end_pass(record);
+    }
+    const auto lines = lines_of(history.csv());
+    ASSERT_EQ(lines.size(), 5u);
+    EXPECT_EQ(lines[1], "0,1,100,20,8,,0,,,,,,,,,0,0,1,,,,");
+    EXPECT_EQ(lines[2], "0,2,100,20,8,0.5,0,0.25,,,0.375,0.125,0.0625,2,3,0,0,1,0.03125,0.75,7,9");
+    EXPECT_EQ(lines[4], "1,2,100,20,8,0.25,0,0.25,,,0.375,0.125,0.0625,2,3,0,0,1,0.03125,0.75,7,9");
   }
 
   TEST_F(ReportedScene, ContactRowsFollowTheArcAndLeaveInfiniteGapsEmpty)
@@ -135,7 +165,7 @@ namespace
     const fs::path folder = fs::path(file.directory()) / "out";
     make_output_directory(folder);
     write_file(folder / "solution.svg", "stale");
-    const Written written = write_all(results, History({2, 16, 16}), folder, 1.);
+    const Written written = write_all(results, History(), folder, 1.);
     std::vector<std::string> names;
     for (const auto &entry : fs::directory_iterator(folder))
       names.push_back(entry.path().filename());
@@ -156,7 +186,7 @@ namespace
     const fs::path folder = file.directory();
     write_file(folder / "summary.json", "{}");
     fs::create_directories(folder / "solution_upper.vtu" / "in the way");
-    EXPECT_THROW(write_all(results, History({2, 16, 16}), folder, 1.), UserError);
+    EXPECT_THROW(write_all(results, History(), folder, 1.), UserError);
     EXPECT_FALSE(fs::exists(folder / "summary.json"));
   }
 } // namespace

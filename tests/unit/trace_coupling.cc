@@ -12,6 +12,11 @@ namespace
 {
   using Index = Eigen::Index;
 
+  MortarCoupling couple(const Trace &slave, const Trace &master, const GapFunction &gap)
+  {
+    return abut::couple(slave, master, common_refinement(slave, master), gap);
+  }
+
   double geometric(const Vector2 &, const double gap)
   {
     return gap;

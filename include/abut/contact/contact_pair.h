@@ -3,7 +3,7 @@
 
 #include <abut/scene/contact_description.h>
 #include <abut/scene/placement.h>
-#include <abut/trace/mortar_coupling.h>
+#include <abut/trace/gap_samples.h>
 
 namespace abut
 {
@@ -44,10 +44,25 @@ namespace abut
     /// Share of the slave side that the master faces.
     double coverage() const { return coverage_; }
 
+    /**
+     * Contact that the weighted gaps do not see because it is smaller than a cell: pieces of the slave side
+     * whose gap is negative at some point while the weighted gaps (`gaps`) of their segment and of those next
+     * to it are not. `slave_trace` is that of the constructor; displacements are trace vectors of the two
+     * sides.
+     */
+    std::vector<Piece> missed_contact(const Trace &slave_trace, const Eigen::VectorXd &slave_displacement,
+                                      const Eigen::VectorXd &master_displacement,
+                                      const Eigen::VectorXd &gaps) const;
+
   private:
+    ContactPair(const ContactDescription &description, const ContactBody &slave, const ContactBody &master,
+                const Trace &slave_trace, const Trace &master_trace, const std::vector<Piece> &pieces,
+                const GapFunction &gap);
+
     std::string name_;
     ContactBody slave_, master_;
     MortarCoupling coupling_;
+    GapSamples samples_;
     double penalty_;
     bool gap_from_geometry_;
     double coverage_;

@@ -48,6 +48,9 @@ namespace abut
 
     /// Consistent nodal forces on a body's contact sides, for pressures in columns.
     Eigen::MatrixXd contact_forces(std::size_t body, const Eigen::MatrixXd &pressures) const;
+    /// The response that displacements of the bodies' contact sides (trace vectors) are, initial gaps
+    /// included.
+    Eigen::VectorXd observe(const std::vector<Eigen::VectorXd> &displacements) const;
     /// Part of the response that a body's trace displacements (columns) make.
     Eigen::MatrixXd response_of(std::size_t body, const Eigen::MatrixXd &displacements) const;
 

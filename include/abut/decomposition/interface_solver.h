@@ -8,6 +8,9 @@
 
 namespace abut
 {
+  /// gamma: the scene's, or made from the largest eigenvalue.
+  double choose_relaxation(const InterfaceProblem &problem, const DecompositionParameters &parameters);
+
   /**
    * The scheme that a scene asks for, with the compliance and the relaxation that suit it, chosen once and
    * used for every load.
@@ -18,9 +21,10 @@ namespace abut
     /// The problem must outlive the solver.
     InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters);
 
-    /// Begins from `start` where given, else from the scene's initial guess.
+    /// Begins from `start` where given, else from the scene's initial guess. Where the
+    /// stopping rule is the bound, `tolerance` takes the place of the scene's.
     SchemeResult solve(const InterfaceProblem::Loads &loads, const std::optional<Eigen::VectorXd> &start,
-                       const StepObserver &observer) const;
+                       const StepObserver &observer, const std::optional<double> &tolerance = {}) const;
 
     /// The limit of the iteration on the same mesh, to a bound of 1e-10. Not converged where that would take
     /// more than some ten seconds.

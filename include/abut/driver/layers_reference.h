@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/elasticity/material.h>
+#include <abut/driver/exact_solution.h>
 #include <abut/reference/layers_sliding.h>
-#include <abut/scene/scene.h>
 
 #include <array>
 
@@ -13,17 +12,15 @@ namespace abut
    * LayersSliding seen from the bodies of a scene: everything in a body's own frame, where the body is a
    * rectangle whose top or bottom is the contact side.
    */
-  class LayersReference
+  class LayersReference : public ExactSolution
   {
   public:
     /// Throws UserError when the scene is not that of two such layers.
     explicit LayersReference(const Scene &scene);
 
-    Stress stress(std::size_t body, const Vector2 &own_point) const;
-    /// At a point of the slave side in its body's own frame.
-    double pressure(const Vector2 &own_point) const { return solution_.pressure(own_point.x()); }
-    /// Resultant, own lengths.
-    double force() const { return solution_.force(); }
+    OwnStress stress(std::size_t body) const override;
+    std::function<double(const Vector2 &)> pressure() const override;
+    std::optional<double> force() const override { return solution_.force(); }
     const LayersSliding &solution() const { return solution_; }
 
   private:

@@ -2,18 +2,27 @@
 #pragma once
 
 #include <abut/decomposition/interface_solver.h>
-#include <abut/driver/layers_reference.h>
-#include <abut/report/counts.h>
-#include <abut/report/results.h>
+#include <abut/driver/estimation.h>
+#include <abut/driver/model.h>
 
+#include <chrono>
 #include <iosfwd>
 #include <memory>
 
 namespace abut
 {
+  /// Is told what happens in a run; each part may be empty.
+  struct RunObserver
+  {
+    std::function<void(unsigned int pass, const Counts &counts)> begin_pass;
+    StepObserver step;
+    std::function<void(const PassRecord &)> end_pass;
+  };
+
   /**
    * A scene from its description to its results: bodies and pairs are made and checked by the constructor
-   * (UserError), assembled, factorised and solved by `run`.
+   * (UserError), then assembled, factorised and solved by `run`, on one mesh after the other where bodies
+   * adapt.
    */
   class Simulation
   {
@@ -27,38 +36,65 @@ namespace abut
     /// Throws UserError for a body whose supports leave a rigid motion free.
     void check_supports() const;
 
-    /// Calls `observer` after every step. Throws ComputationError. The results refer to this simulation.
-    Results run(const StepObserver &observer);
+    /**
+     * Solves; a second call goes on from the last mesh. Every pass solves the decomposition to
+     * `Iteration fraction` of the estimated discretisation error, or takes one step of it (`Combined`, the
+     * paper's Fig. 2), estimates, and adapts. Throws ComputationError. The results refer to this simulation.
+     */
+    Results run(const RunObserver &observer);
 
     /// Cells and unknowns of all bodies together.
-    Counts counts() const;
+    Counts counts() const { return model_->counts(); }
 
-    const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
-    const std::vector<ContactPair> &pairs() const { return pairs_; }
+    const std::vector<std::unique_ptr<Body>> &bodies() const { return model_->bodies(); }
+    const std::vector<ContactPair> &pairs() const { return model_->pairs(); }
 
   private:
-    void make_bodies();
-    void make_pairs();
-    void prepare(Times &times);
+    /// Solves the decomposition on the present mesh and estimates; returns what the next mesh is to start
+    /// from.
+    CarriedState solve_pass(const std::optional<CarriedState> &carried, const RunObserver &observer,
+                            Results &results);
+    /// (20)-(21) once, and the estimate.
+    CarriedState take_combined_step(const std::optional<CarriedState> &carried, const RunObserver &observer,
+                                    Results &results);
+    /// What is wrong where gamma is too large for the test that has ended the passes to mean anything.
+    std::string combined_accident(const Results &results) const;
+    CarriedState initial_state(const InterfaceProblem::Loads &loads);
+
+    double first_tolerance(const Results &results) const;
+    bool iterated_enough(const Results &results, double &tolerance) const;
+    SchemeResult solve_interface(const std::optional<Eigen::VectorXd> &start, double tolerance,
+                                 const StepObserver &observer, Results &results) const;
     /// The body with a rigid side that carries a given force, or none.
     const Body *resultant_body() const;
-    SchemeResult solve_interface(const InterfaceProblem &problem, const InterfaceSolver &solver,
-                                 const StepObserver &observer, Results &results) const;
-    BodyResult body_result(std::size_t index, const InterfaceProblem &problem, const Results &results) const;
-    PairResult pair_result(std::size_t index, const InterfaceProblem &problem,
-                           const SchemeResult &iteration) const;
 
+    /// Bodies, pairs and estimates that belong to the traction of `results.iteration`.
+    void evaluate(Results &results);
+    PassRecord record_pass(const std::optional<CarriedState> &carried, Results &results) const;
+    /// Whether no further mesh is to be made; then `results.adaptation_end` says why, in a scene that adapts.
+    bool is_last_pass(Results &results) const;
+    /// Empty where no limit was asked for or eta is below it, else one sentence that begins with the cause.
+    std::string limit_message(const Results &results, const std::string &cause) const;
+    bool adapts() const;
+    /// Makes the next mesh. Empty where no cell could be changed.
+    std::optional<CarriedState> adapt(const CarriedState &state, Results &results);
+
+    BodyResult body_result(std::size_t index, const Results &results) const;
+    PairResult pair_result(std::size_t index, const Results &results) const;
     /// What a stop by the increment rule is worth; empty where the limit is not at hand.
-    std::optional<LimitDistance> limit_distance(const InterfaceProblem &problem,
-                                                const InterfaceSolver &solver, const Results &results) const;
-
+    std::optional<LimitDistance> limit_distance(const Results &results) const;
+    std::vector<std::string> warnings(const Results &results) const;
     /// What this scene did not need.
     std::vector<std::string> left_out(const Results &results) const;
 
     const Scene &scene_;
-    std::vector<std::unique_ptr<Body>> bodies_;
-    std::vector<ContactPair> pairs_;
-    std::optional<LayersReference> reference_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::unique_ptr<ExactSolution> exact_;
+    std::unique_ptr<Model> model_;
+    std::unique_ptr<Indicator> indicator_;
+    std::unique_ptr<InterfaceSolver> solver_; ///< of the present mesh
+    Estimation estimation_;                   ///< of the present solution
+    bool state_is_field_ = true; ///< combined algorithm: false after the paper's literal initial guess
     double mesh_time_ = 0.;
   };
 } // namespace abut

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/driver/layers_reference.h>
-#include <abut/report/results.h>
+#include <abut/driver/exact_solution.h>
 
 namespace abut
 {
   /**
-   * Relative errors against the exact solution that the scene names (exact contact: penalty and iteration are
-   * part of the error): energy norm of both bodies' displacement; stress in L2 over the components xx, yy, zz
-   * and twice xy, both bodies; pressure sum p_i phi_i in L2 on the slave side; contact force.
+   * Relative errors against an exact solution (penalty and iteration are part of the error), as far as it
+   * tells: energy norm of all bodies' displacement; stress in L2 over the components xx, yy, zz and twice xy,
+   * all bodies; pressure sum p_i phi_i of the first pair in L2 on the slave side; its contact force.
    */
-  TrueErrors true_errors(const LayersReference &reference, const Results &results);
+  TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
+                         const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs);
+
+  /// L2 norm, all bodies, of the stress' difference from the exact response to the pressure that was applied;
+  /// empty where the solution does not know that response.
+  std::optional<double> response_error(const ExactSolution &exact, const std::vector<BodyResult> &bodies,
+                                       const std::vector<PairResult> &pairs);
 } // namespace abut

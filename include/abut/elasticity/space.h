@@ -46,10 +46,14 @@ namespace abut
 
     /**
      * Splits and merges the marked cells and carries fields (vectors of all unknowns) over to the new mesh:
-     * unchanged where cells are split, by their values at the remaining nodes where cells are merged. Throws
-     * UserError where a curved side makes a new cell too distorted.
+     * unchanged where cells are split, by their values at the remaining nodes where cells are merged. Where
+     * no mark can be followed, nothing changes. Throws UserError where a curved side makes a new cell too
+     * distorted.
      */
     std::vector<Eigen::VectorXd> adapt(const CellMarks &marks, const std::vector<Eigen::VectorXd> &fields);
+
+    /// How many meshes the space has been on.
+    unsigned int n_meshes() const { return n_meshes_; }
 
     /// Gauss rule for the cells, exact for polynomials of degree 2 p + 1 (per direction on quadrilaterals).
     const dealii::Quadrature<2> &quadrature() const { return quadrature_; }
@@ -71,6 +75,7 @@ namespace abut
     dealii::Quadrature<2> quadrature_;
     std::vector<bool> hanging_;
     bool has_hanging_nodes_ = false;
+    unsigned int n_meshes_ = 0;
     Eigen::SparseMatrix<double> expansion_;
   };
 

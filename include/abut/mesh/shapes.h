@@ -18,6 +18,9 @@ namespace abut
    */
   RawMesh disc(const BodyDescription &body);
 
+  /// Three squares around the origin, n[0] x n[1] cells each.
+  RawMesh l_shape(const BodyDescription &body);
+
   /// Ring and quarter ring, uniform in the angle and in the radius.
   RawMesh ring(const BodyDescription &body);
 

@@ -1,35 +1,47 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/decomposition/scheme.h>
-#include <abut/report/counts.h>
+#include <abut/report/results.h>
 
 #include <string>
 #include <vector>
 
 namespace abut
 {
-  /// The content of history.csv: a row for every step of the decomposition.
+  /// The content of history.csv: a row for every step of the decomposition, its pass beside it.
   class History
   {
   public:
-    /// `counts`: of all bodies together.
-    explicit History(const Counts &counts) : counts_(counts) {}
-
+    /// A new mesh; `counts`: of all bodies together.
+    void begin_pass(const unsigned int pass, const Counts &counts)
+    {
+      pass_ = pass;
+      counts_ = counts;
+    }
     /// `wall_time`: seconds since the run began.
-    void add(const StepRecord &record, double wall_time) { rows_.push_back({record, wall_time}); }
+    void add(const StepRecord &record, const double wall_time)
+    {
+      rows_.push_back({pass_, counts_, record, wall_time, {}});
+    }
+    /// What the pass has found stands in its last row.
+    void end_pass(const PassRecord &record);
 
-    /// Header and rows. Cells are empty where nothing was estimated; `error_iteration` is the guaranteed
-    /// bound of the state that the step began with; the pass of a uniform mesh is 0.
+    /// Header and rows. Cells are empty where nothing was estimated or known; `error_iteration` is the
+    /// guaranteed bound of the state that the step began with.
     std::string csv() const;
 
   private:
     struct Row
     {
-      StepRecord record;
+      unsigned int pass;
+      Counts counts;
+      StepRecord step;
       double wall_time;
+      std::optional<PassRecord> found;
     };
+    static std::vector<std::string> cells(const Row &row);
 
+    unsigned int pass_ = 0;
     Counts counts_;
     std::vector<Row> rows_;
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/decomposition/scheme.h>
+#include <abut/report/counts.h>
 
 #include <chrono>
 #include <iosfwd>
@@ -20,6 +21,8 @@ namespace abut
     /// `out` must outlive the object.
     ProgressLine(std::ostream &out, bool terminal, bool quiet);
 
+    /// Ends the line of the pass before and, from the second pass on, names the new mesh.
+    void begin_pass(unsigned int pass, const Counts &counts);
     void step(const StepRecord &record);
     /// Shows the last step if it is not there yet, and ends the line.
     void finish();

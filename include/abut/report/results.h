@@ -4,8 +4,10 @@
 #include <abut/contact/contact_pair.h>
 #include <abut/decomposition/scheme.h>
 #include <abut/elasticity/body.h>
+#include <abut/report/counts.h>
 #include <abut/scene/scene.h>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,7 +18,9 @@ namespace abut
   /// Wall-clock seconds by task.
   struct Times
   {
-    double mesh = 0., assemble = 0., factorise = 0., solve = 0., interface = 0., output = 0.;
+    double mesh = 0., assemble = 0., factorise = 0., solve = 0., interface = 0., estimate = 0., adapt = 0.,
+           output = 0.;
+    double reference = 0.; ///< comparing with the exact solution
   };
 
   struct BodyResult
@@ -42,6 +46,8 @@ namespace abut
     double contact_length = 0.;  ///< sum of D_i over the nodes with a negative gap
     double max_penetration = 0.; ///< largest -g_i, 0 without contact
     double min_gap = 0.;         ///< smallest g_i
+    /// Pieces of the slave side that overlap far from any node in contact: contact smaller than a cell.
+    std::vector<Piece> missed;
   };
 
   /// Relative errors against the exact solution that the scene names.
@@ -58,6 +64,35 @@ namespace abut
     double peak_pressure = 0.; ///< the limit's, for comparison
   };
 
+  /// What one pass, a mesh with its solution, has found. Errors are relative.
+  struct PassRecord
+  {
+    unsigned int pass = 0;
+    Counts counts;                                               ///< of all bodies
+    unsigned int steps = 0;                                      ///< of the decomposition in this pass
+    double increment = std::numeric_limits<double>::quiet_NaN(); ///< of the last of them
+    double iteration = std::numeric_limits<double>::quiet_NaN(); ///< see SchemeResult::iteration_error
+    std::optional<double> eta_max; ///< over the cells of the adapted bodies (of all, where none adapts)
+    std::optional<double> discretisation; ///< estimated, energy norm
+    std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
+    std::optional<double> total;          ///< root of the squares of discretisation and iteration
+    TrueErrors true_errors;
+    std::optional<double> effectivity;       ///< estimated stress error by that against sigma*
+    std::optional<double> effectivity_total; ///< total by true_errors.energy
+    /// Energy norm of the difference from the solution of the pass before, by that of the solution.
+    std::optional<double> change;
+    double normal_force = 0., max_pressure = 0.; ///< sum and largest over the pairs
+    std::size_t n_missed = 0;                    ///< pieces of missed contact
+    double seconds = 0.;                         ///< since the run began, without comparing with the exact solution
+  };
+
+  /// Why no further mesh was made, in a scene that adapts.
+  struct AdaptationEnd
+  {
+    std::string stopped_by; ///< limit, maximum passes, ...
+    std::string message;    ///< one sentence with cause and way out; empty when what was asked for is reached
+  };
+
   /// Everything a run has found, for those who write it down.
   struct Results
   {
@@ -65,11 +100,32 @@ namespace abut
     std::vector<BodyResult> bodies;
     std::vector<PairResult> pairs;
     SchemeResult iteration;
+    std::vector<PassRecord> passes;
+    std::optional<AdaptationEnd> adaptation_end;
     std::optional<LimitDistance> limit_distance;
     double rigid_displacement = 0.; ///< of the side that carries a given resultant
     bool compliance_is_dense = false;
     TrueErrors true_errors;
     Times times;
+    std::vector<std::string> warnings; ///< one sentence each: what the user should know of the results
     std::vector<std::string> left_out; ///< what this scene did not need
+
+    bool converged() const
+    {
+      return iteration.converged() && (!adaptation_end || adaptation_end->message.empty());
+    }
+    /// Cause and way out where the run has not reached what it was asked for.
+    const std::string &message() const
+    {
+      return iteration.converged() && adaptation_end ? adaptation_end->message : iteration.message;
+    }
+    /// Decomposition steps of all passes.
+    unsigned int steps() const
+    {
+      unsigned int sum = 0;
+      for (const PassRecord &pass : passes)
+        sum += pass.steps;
+      return sum;
+    }
   };
 } // namespace abut

@@ -24,9 +24,16 @@ namespace abut
     half_disc,            ///< Size = radius; y >= 0. Sides outer, bottom
     quarter_disc,         ///< Size = radius; x, y >= 0. Sides outer, left, bottom
     ring,                 ///< Size = inner, outer radius. Sides inner, outer
-    quarter_ring,         ///< Size = inner, outer radius; x, y >= 0. Sides inner, outer, left, bottom
-    mesh_file             ///< a Gmsh file; sides are its physical ids
+    l_shape, ///< Size = a: [-a, a]^2 without x > 0, y < 0. Sides left, right, bottom, top, corner (the notch)
+    quarter_ring, ///< Size = inner, outer radius; x, y >= 0. Sides inner, outer, left, bottom
+    mesh_file     ///< a Gmsh file; sides are its physical ids
   };
+
+  /// Whether some sides of a shape are curves (those of mesh files are polygons).
+  inline bool has_curves(const Shape shape)
+  {
+    return shape != Shape::rectangle && shape != Shape::l_shape && shape != Shape::mesh_file;
+  }
 
   enum class CellType
   {
@@ -42,9 +49,9 @@ namespace abut
   {
     std::string name;
     Shape shape = Shape::rectangle;
-    std::vector<double> size; ///< see Shape
-    std::array<unsigned int, 2> cells{
-        {1, 1}}; ///< rectangle: along x, y. Disc and ring: along a quarter arc, radially
+    std::vector<double> size;                  ///< see Shape
+    std::array<unsigned int, 2> cells{{1, 1}}; ///< rectangle: along x, y. Disc and ring: along a quarter arc,
+                                               ///< radially. L-shape: of each of its squares along x, y
     std::array<double, 2> grading{
         {1., 1.}};                 ///< rectangle: size of the last cell over that of the first, along x, y
     std::optional<Expression> top; ///< rectangle with curved top: the top's height y at x
@@ -52,6 +59,7 @@ namespace abut
     std::string mesh_path;         ///< where it lies
     CellType cell_type = CellType::quadrilaterals;
     unsigned int degree = 1;
+    bool adapt = false; ///< the mesh follows the error
     Placement placement;
 
     double young_modulus = 1.;

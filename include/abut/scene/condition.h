@@ -33,13 +33,15 @@ namespace abut
     std::optional<Vector2> point; ///< own-frame place where the condition holds at a single point
     ConditionKind kind;
     std::vector<Expression> expressions; ///< as many as the kind needs
+    bool exact = false; ///< the values are those of the exact solution that the scene names; no expressions
   };
 
   /**
    * Reads `id: kind: expressions; id: kind: ...`: conditions separated by `;`, split at their first two `:`,
-   * expressions by commas outside parentheses. `where` begins every message. Throws UserError: a kind that
-   * does not exist or that a point cannot take, a wrong number of expressions, a resultant that depends on x
-   * or y, the same kind twice on one boundary. Whether the boundary exists is for the mesh to say.
+   * expressions by commas outside parentheses. Displacements, displacements x and y may be `exact`. `where`
+   * begins every message. Throws UserError: a kind that does not exist or that a point cannot take, a wrong
+   * number of expressions, a resultant that depends on x or y, the same kind twice on one boundary. Whether
+   * the boundary exists is for the mesh to say.
    */
   std::vector<Condition> parse_conditions(const std::string &text, const Constants &constants,
                                           const std::string &where);

@@ -3,8 +3,8 @@
 
 #include <abut/vector2.h>
 
+#include <functional>
 #include <map>
-#include <memory>
 #include <string>
 
 namespace abut
@@ -22,6 +22,10 @@ namespace abut
     /// Throws UserError, beginning with `where`, when the text is not a formula.
     Expression(const std::string &text, const Constants &constants, const std::string &where);
 
+    /// A function given by the program; `text` stands for it in messages.
+    Expression(const std::function<double(const Vector2 &)> &function, const std::string &text,
+               const std::string &where);
+
     /// Throws UserError when the value is not finite.
     double operator()(const Vector2 &own_point) const;
     const std::string &text() const { return text_; }
@@ -29,10 +33,9 @@ namespace abut
     bool is_constant() const;
 
   private:
-    struct Parser;
     std::string text_;
     std::string where_;
-    std::shared_ptr<const Parser> parser_;
+    std::function<double(const Vector2 &)> function_;
   };
 
   /// The value of a formula of constants alone. Throws UserError, beginning with `where`, also for x and y.

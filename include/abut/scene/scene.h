@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/scene/adaptation_parameters.h>
 #include <abut/scene/body_description.h>
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
@@ -20,6 +21,7 @@ namespace abut
     std::vector<BodyDescription> bodies;      ///< in the order of the list `Bodies`
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
     DecompositionParameters decomposition;
+    AdaptationParameters adaptation;
     ReferenceParameters reference;
     std::string parameters; ///< all parameters used, as a file that can be run again from any folder: mesh
                             ///< files by their absolute names, the output directory as it was used

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/trace/trace.h>
+#include <abut/trace/common_refinement.h>
 
 #include <Eigen/SparseCore>
 
@@ -38,5 +38,7 @@ namespace abut
   /// The initial normal gap at a slave point, whose geometric gap is the second argument.
   using GapFunction = std::function<double(const Vector2 &slave_point, double geometric_gap)>;
 
-  MortarCoupling couple(const Trace &slave, const Trace &master, const GapFunction &gap);
+  /// `pieces`: the common refinement of the two curves.
+  MortarCoupling couple(const Trace &slave, const Trace &master, const std::vector<Piece> &pieces,
+                        const GapFunction &gap);
 } // namespace abut

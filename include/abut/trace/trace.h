@@ -15,6 +15,7 @@ namespace abut
   struct Segment
   {
     std::vector<Vector2> points;     ///< at the Gauss-Lobatto nodes of the geometry's degree
+    unsigned int cell = 0;           ///< active cell index of the cell behind it
     std::vector<unsigned int> nodes; ///< trace nodes that carry displacements, in the order of s
     double arc_start = 0.;           ///< arc length of s = 0 from the start of the curve
     double length = 0.;

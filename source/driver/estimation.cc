@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/driver/estimation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    /// sqrt(sum error^2) over all bodies, and relative to the norms' where there is any stress.
+    double relative(const double error, const std::vector<double> &norms)
+    {
+      double square = 0.;
+      for (const double norm : norms)
+        square += norm * norm;
+      return square > 0. ? error / std::sqrt(square) : 0.;
+    }
+
+    void mark_missed(const Scene &scene, const PairResult &result, const std::vector<BodyResult> &bodies,
+                     std::vector<CellMarks> &marks)
+    {
+      const ContactPair &pair = *result.pair;
+      const auto mark_segment = [&](const ContactBody &side, const std::size_t segment) {
+        if (!scene.bodies[side.body].adapt)
+          return;
+        const unsigned int cell = bodies[side.body].body->contact_sides()[side.side].segments()[segment].cell;
+        marks[side.body].refine[cell] = true;
+        marks[side.body].coarsen[cell] = false;
+      };
+      for (const Piece &piece : result.missed)
+      {
+        mark_segment(pair.slave(), piece.slave_segment);
+        mark_segment(pair.master(), piece.master_segment);
+      }
+    }
+  } // namespace
+
+  double Estimation::discretisation() const
+  {
+    double square = 0.;
+    std::vector<double> norms;
+    for (const CellErrors &body : errors)
+    {
+      square += body.energy.squaredNorm();
+      norms.push_back(body.energy_norm);
+    }
+    return relative(std::sqrt(square), norms);
+  }
+
+  double Estimation::stress() const
+  {
+    std::vector<double> norms;
+    for (const CellErrors &body : errors)
+      norms.push_back(body.stress_norm);
+    return relative(stress_error(), norms);
+  }
+
+  double Estimation::stress_error() const
+  {
+    double square = 0.;
+    for (const CellErrors &body : errors)
+      square += body.stress.squaredNorm();
+    return std::sqrt(square);
+  }
+
+  double Estimation::eta_max(const Scene &scene) const
+  {
+    const bool some_adapt = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                        [](const BodyDescription &body) { return body.adapt; });
+    double largest = 0.;
+    for (std::size_t a = 0; a < eta.size(); ++a)
+      if (scene.bodies[a].adapt || !some_adapt)
+        largest = std::max(largest, eta[a].maxCoeff());
+    return largest;
+  }
+
+  Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
+                      const InterfaceProblem &problem, const std::vector<BodyResult> &bodies,
+                      const Eigen::VectorXd &traction)
+  {
+    Estimation estimation;
+    estimation.errors.resize(bodies.size());
+    estimation.eta.resize(bodies.size());
+    for_each_body(bodies.size(), [&](const std::size_t a) {
+      const Eigen::VectorXd forces = problem.contact_forces(a, traction);
+      estimation.errors[a] = indicator.estimate({*bodies[a].body, bodies[a].deformation, forces});
+      estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
+    });
+    return estimation;
+  }
+
+  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,
+                                  const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs)
+  {
+    std::vector<CellMarks> marks;
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+      marks.push_back(scene.bodies[a].adapt ? mark(estimation.errors[a], estimation.eta[a], scene.adaptation)
+                                            : no_marks(bodies[a].body->space().mesh().triangulation));
+    for (const PairResult &pair : pairs)
+      mark_missed(scene, pair, bodies, marks);
+    return marks;
+  }
+} // namespace abut

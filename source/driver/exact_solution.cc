@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/driver/exact_solution.h>
+#include <abut/driver/layers_reference.h>
+#include <abut/user_error.h>
+
+namespace abut
+{
+  std::unique_ptr<ExactSolution> make_exact_solution(const Scene &scene)
+  {
+    switch (scene.reference.solution)
+    {
+    case ReferenceParameters::Solution::none:
+      break;
+    case ReferenceParameters::Solution::layers_sliding:
+      return std::make_unique<LayersReference>(scene);
+    }
+    return {};
+  }
+
+  BodyDescription with_exact_conditions(const Scene &scene, const std::size_t body,
+                                        const ExactSolution *const exact)
+  {
+    BodyDescription description = scene.bodies[body];
+    for (Condition &condition : description.conditions)
+    {
+      if (!condition.exact)
+        continue;
+      const std::string where = "Body " + description.name + "/Conditions: " + condition.boundary;
+      const auto displacement = exact->displacement(body);
+      if (!displacement)
+        throw UserError(where +
+                        ": received `exact`, but the solution that Reference/Exact solution names does "
+                        "not tell displacements");
+      const auto add = [&](const int component) {
+        condition.expressions.emplace_back(
+            [displacement, component](const Vector2 &point) { return displacement(point)[component]; },
+            "exact(x, y)", where);
+      };
+      if (condition.kind != ConditionKind::displacement_y)
+        add(0);
+      if (condition.kind != ConditionKind::displacement_x)
+        add(1);
+    }
+    return description;
+  }
+} // namespace abut

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What a pass tells: results, estimates, true errors, and whether it is the last one.
+
+#include <abut/decomposition/neumann.h>
+#include <abut/driver/simulation.h>
+#include <abut/driver/stopwatch.h>
+#include <abut/driver/true_errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace abut
+{
+  void Simulation::evaluate(Results &results)
+  {
+    {
+      const Stopwatch watch(results.times.solve);
+      results.bodies.resize(bodies().size());
+      for_each_body(bodies().size(),
+                    [&](const std::size_t a) { results.bodies[a] = body_result(a, results); });
+    }
+    results.pairs.clear();
+    for (std::size_t i = 0; i < pairs().size(); ++i)
+      results.pairs.push_back(pair_result(i, results));
+    if (!indicator_)
+      return;
+    const Stopwatch watch(results.times.estimate);
+    estimation_ = estimate(*indicator_, scene_.adaptation, model_->problem(), results.bodies,
+                           results.iteration.traction);
+  }
+
+  namespace
+  {
+    /// Energy norm of the difference from the fields of the mesh before, by that of the solution.
+    std::optional<double> change(const std::vector<BodyResult> &bodies,
+                                 const std::vector<Eigen::VectorXd> &before)
+    {
+      double difference = 0., energy = 0.;
+      for (std::size_t a = 0; a < bodies.size(); ++a)
+      {
+        difference += bodies[a].body->strain_energy(bodies[a].displacement - before[a]);
+        energy += bodies[a].energy;
+      }
+      return energy > 0. ? std::sqrt(difference / energy) : 0.;
+    }
+
+    std::optional<double> ratio(const std::optional<double> &estimated, const std::optional<double> &exact)
+    {
+      if (!estimated || !exact || !(*exact > 0.))
+        return {};
+      return *estimated / *exact;
+    }
+  } // namespace
+
+  PassRecord Simulation::record_pass(const std::optional<CarriedState> &carried, Results &results) const
+  {
+    PassRecord record;
+    record.pass = static_cast<unsigned int>(results.passes.size());
+    record.counts = counts();
+    record.steps = results.iteration.steps;
+    record.increment = results.iteration.increment;
+    record.iteration = results.iteration.iteration_error;
+    for (const PairResult &pair : results.pairs)
+    {
+      record.normal_force += pair.normal_force;
+      record.max_pressure = std::max(record.max_pressure, pair.max_pressure);
+      record.n_missed += pair.missed.size();
+    }
+    if (carried)
+      record.change = change(results.bodies, carried->displacements);
+    if (indicator_)
+    {
+      record.eta_max = estimation_.eta_max(scene_);
+      record.discretisation = estimation_.discretisation();
+      record.stress = estimation_.stress();
+      if (std::isfinite(record.iteration))
+        record.total = std::hypot(*record.discretisation, record.iteration);
+    }
+    if (exact_)
+    {
+      const Stopwatch watch(results.times.reference);
+      record.true_errors = results.true_errors = true_errors(*exact_, scene_, results.bodies, results.pairs);
+      if (indicator_)
+        record.effectivity =
+            ratio(estimation_.stress_error(), response_error(*exact_, results.bodies, results.pairs));
+      record.effectivity_total = ratio(record.total, record.true_errors.energy);
+    }
+    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() -
+                     results.times.reference;
+    return record;
+  }
+
+  std::string Simulation::limit_message(const Results &results, const std::string &cause) const
+  {
+    const AdaptationParameters &adaptation = scene_.adaptation;
+    const PassRecord &pass = results.passes.back();
+    if (adaptation.limit == 0. || (*pass.eta_max <= adaptation.limit && !adaptation.combined))
+      return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << "The adaptation has not reached its goal: " << cause << ", eta is " << *pass.eta_max
+         << " where Adaptation/Limit = " << adaptation.limit;
+    if (adaptation.combined)
+      text << ", the last increment of the contact displacement " << pass.increment
+           << " where Decomposition/Tolerance = " << scene_.decomposition.tolerance;
+    text << ". Raise Adaptation/Maximum passes (or Maximum unknowns) or the limit";
+    return text.str();
+  }
+
+  bool Simulation::is_last_pass(Results &results) const
+  {
+    const AdaptationParameters &adaptation = scene_.adaptation;
+    if (!results.iteration.converged() || !adapts())
+      return true;
+    const PassRecord &pass = results.passes.back();
+    const bool by_bound = scene_.decomposition.stopping_rule == StoppingRule::bound;
+    const bool steady = !adaptation.combined ||
+                        (by_bound ? pass.iteration : pass.increment) <= scene_.decomposition.tolerance;
+    if (adaptation.limit > 0. && *pass.eta_max <= adaptation.limit && steady && pass.n_missed == 0)
+      results.adaptation_end = {"limit", adaptation.combined ? combined_accident(results) : ""};
+    else if (results.passes.size() >= adaptation.maximum_passes)
+      results.adaptation_end = {"maximum passes", limit_message(results, "the maximum of passes has come")};
+    else if (pass.counts.dofs >= adaptation.maximum_unknowns)
+      results.adaptation_end = {"maximum unknowns",
+                                limit_message(results, "the maximum of unknowns has come")};
+    return results.adaptation_end.has_value();
+  }
+} // namespace abut
