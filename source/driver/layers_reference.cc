@@ -77,11 +77,11 @@ namespace abut
               "the two contact sides must lie on one another, x = 0 on x = 0");
     }
 
-    LayersSlidingData make_data(const Scene &scene)
+    LayersContactData make_data(const Scene &scene)
     {
       require(scene.bodies.size() == 2 && scene.contacts.size() == 1, "it needs two bodies and one contact");
       const ContactDescription &contact = scene.contacts.front();
-      LayersSlidingData data{};
+      LayersContactData data{};
       double approach = 0.;
       for (const Side &side : {contact.slave, contact.master})
       {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/elasticity/material.h>
-#include <abut/reference/layers_sliding.h>
+#include <abut/reference/layers_contact.h>
 #include <abut/scene/scene.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace abut
 {
   /**
-   * LayersSliding seen from the bodies of a scene: everything in a body's own frame, where the body is a
+   * LayersContact seen from the bodies of a scene: everything in a body's own frame, where the body is a
    * rectangle whose top or bottom is the contact side.
    */
   class LayersReference
@@ -24,11 +24,11 @@ namespace abut
     double pressure(const Vector2 &own_point) const { return solution_.pressure(own_point.x()); }
     /// Resultant, own lengths.
     double force() const { return solution_.force(); }
-    const LayersSliding &solution() const { return solution_; }
+    const LayersContact &solution() const { return solution_; }
 
   private:
     std::array<bool, 2> contact_on_top_;
     std::array<double, 2> thickness_;
-    LayersSliding solution_;
+    LayersContact solution_;
   };
 } // namespace abut
