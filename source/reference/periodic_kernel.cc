@@ -13,8 +13,8 @@ namespace abut
       return {-z * (1. / 3. + s * (1. / 45. + s * (2. / 945. + s / 4725.))),
               -(1. / 3. + s * (1. / 15. + s * (2. / 189. + s / 675.)))};
     }
-    const std::complex<double> reciprocal = 1. / z;
-    const std::complex<double> ratio = 1. / (1. - exponential);
+    const std::complex<double> reciprocal = std::conj(z) / std::norm(z);
+    const std::complex<double> ratio = std::conj(1. - exponential) / std::norm(1. - exponential);
     return {std::complex<double>(0., -1.) * (1. + exponential) * ratio - reciprocal,
             reciprocal * reciprocal + 4. * exponential * ratio * ratio};
   }
