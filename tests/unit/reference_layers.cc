@@ -34,58 +34,6 @@ namespace abut
     }
   }
 
-  // Figures of a solution by integrals over the line instead of series, known to ten digits.
-  TEST(LayersContact, reproduces_the_known_figures_of_infinite_layers)
-  {
-    const LayersContact sliding(infinite_layers(Layer::Base::sliding));
-    expect_relative(sliding.half_width(), 0.992642040657, 1e-10);
-    expect_relative(sliding.pressure(0.), 166.202449905, 1e-10);
-    expect_relative(sliding.force(), 126.573908875, 1e-10);
-    const LayersContact bonded(infinite_layers(Layer::Base::bonded));
-    expect_relative(bonded.half_width(), 1.025218454690, 1e-10);
-    expect_relative(bonded.pressure(0.), 193.527416749, 1e-10);
-    expect_relative(bonded.force(), 150.320235035, 1e-10);
-  }
-
-  // A uniform pressure between rollers and one on an infinite bonded layer are the same thing.
-  TEST(LayersContact, long_bonded_layers_do_not_feel_their_ends)
-  {
-    LayersContactData data = bonded_layers();
-    data.length = 23.;
-    const LayersContact rollers(data);
-    data.ends = Layer::Ends::infinite;
-    const LayersContact infinite(data);
-    EXPECT_GT(infinite.data().length, 25.);
-    expect_relative(infinite.half_width(), rollers.half_width(), 1e-12);
-    expect_relative(infinite.force(), rollers.force(), 1e-12);
-    for (const unsigned int body : {0U, 1U})
-    {
-      const Vector2 point(1.1, 0.7);
-      expect_relative(infinite.stress(body, point).yy, rollers.stress(body, point).yy, 1e-11);
-      expect_relative(infinite.stress(body, point).xx, rollers.stress(body, point).xx, 1e-11);
-      expect_relative(infinite.displacement(body, 0.9), rollers.displacement(body, 0.9), 1e-11);
-      expect_relative(infinite.stress_l2_norm(body), rollers.stress_l2_norm(body), 1e-12);
-    }
-  }
-
-  // Ends that are free let go what rollers hold: nothing is left far from the contact.
-  TEST(LayersContact, infinite_layers_are_at_rest_far_from_the_contact)
-  {
-    for (const Layer::Base base : {Layer::Base::sliding, Layer::Base::bonded})
-    {
-      const LayersContact exact(infinite_layers(base));
-      const double scale = exact.pressure(0.);
-      for (const double y : {0., 0.5, 1.})
-      {
-        const ExactStress s = exact.stress(0, Vector2(18., y));
-        EXPECT_NEAR(s.xx / scale, 0., 1e-5);
-        EXPECT_NEAR(s.yy / scale, 0., 1e-5);
-        EXPECT_NEAR(s.xy / scale, 0., 1e-5);
-      }
-      EXPECT_NEAR(exact.displacement(0, 18.) / exact.displacement(0, 0.), 0., 1e-5);
-    }
-  }
-
   TEST(LayersContact, displacements_close_the_gap_in_contact_and_leave_it_open_beyond)
   {
     for (const LayersContactData &given :
