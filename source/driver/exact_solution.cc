@@ -12,6 +12,7 @@ namespace abut
     case ReferenceParameters::Solution::none:
       break;
     case ReferenceParameters::Solution::layers_sliding:
+    case ReferenceParameters::Solution::layers_bonded:
       return std::make_unique<LayersReference>(scene);
     }
     return {};

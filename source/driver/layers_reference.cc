@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/layers_reference.h>
+#include <abut/reference/piecewise_pressure.h>
+#include <abut/trace/applied_traction.h>
 #include <abut/user_error.h>
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +16,7 @@ namespace abut
     void require(const bool holds, const std::string &what)
     {
       if (!holds)
-        throw UserError("Reference/Exact solution = layers sliding does not belong to this scene: " + what);
+        throw UserError("Reference/Exact solution: the two layers do not belong to this scene: " + what);
     }
 
     bool agree(const double a, const double b)
@@ -28,21 +32,31 @@ namespace abut
       return nullptr;
     }
 
-    /// The inward displacement of a face, one number all along it.
-    double face_approach(const BodyDescription &body, const std::string &face)
+    double constant(const BodyDescription &body, const std::string &face, const Expression &value)
     {
-      double inward = face == "top" ? -1. : 1.;
-      const Condition *condition = find(body, face, ConditionKind::displacement_y);
-      if (condition == nullptr)
-      {
-        condition = find(body, face, ConditionKind::normal_displacement);
-        inward = -1.;
-      }
-      require(condition != nullptr, "the face " + body.name + ":" + face +
-                                        " needs the condition 'displacement y' or 'normal displacement'");
-      const Expression &value = condition->expressions.front();
       require(value.is_constant(), "the displacement of " + body.name + ":" + face + " must be a constant");
-      return inward * value(Vector2::Zero());
+      return value(Vector2::Zero());
+    }
+
+    /// The inward displacement of a face that slides, one number all along it.
+    double sliding_approach(const BodyDescription &body, const std::string &face)
+    {
+      if (const auto *const condition = find(body, face, ConditionKind::displacement_y))
+        return (face == "top" ? -1. : 1.) * constant(body, face, condition->expressions.front());
+      const auto *const condition = find(body, face, ConditionKind::normal_displacement);
+      require(condition != nullptr, "the sliding face " + body.name + ":" + face +
+                                        " needs the condition 'displacement y' or 'normal displacement'");
+      return -constant(body, face, condition->expressions.front());
+    }
+
+    /// The same for a face that is held along itself.
+    double bonded_approach(const BodyDescription &body, const std::string &face)
+    {
+      const auto *const condition = find(body, face, ConditionKind::displacement);
+      require(condition != nullptr && constant(body, face, condition->expressions.front()) == 0.,
+              "the bonded face " + body.name + ":" + face +
+                  " needs the condition 'displacement' (0 along x)");
+      return (face == "top" ? -1. : 1.) * constant(body, face, condition->expressions.back());
     }
 
     void check_body(const BodyDescription &body, const std::string &contact_side)
@@ -77,19 +91,22 @@ namespace abut
               "the two contact sides must lie on one another, x = 0 on x = 0");
     }
 
-    LayersSlidingData make_data(const Scene &scene)
+    LayersContactData make_data(const Scene &scene)
     {
       require(scene.bodies.size() == 2 && scene.contacts.size() == 1, "it needs two bodies and one contact");
       const ContactDescription &contact = scene.contacts.front();
-      LayersSlidingData data{};
+      LayersContactData data{};
       double approach = 0.;
       for (const Side &side : {contact.slave, contact.master})
       {
         const std::size_t index = scene.body_index(side.body);
         const BodyDescription &body = scene.bodies[index];
         check_body(body, side.boundary);
-        data.layers[index] = {body.young_modulus, body.poisson_ratio, body.size[1]};
-        approach += face_approach(body, side.boundary == "top" ? "bottom" : "top");
+        const bool bonded = scene.reference.solution == ReferenceParameters::Solution::layers_bonded;
+        data.layers[index] = {body.young_modulus, body.poisson_ratio, body.size[1],
+                              bonded ? Layer::Base::bonded : Layer::Base::sliding};
+        const std::string face = side.boundary == "top" ? "bottom" : "top";
+        approach += bonded ? bonded_approach(body, face) : sliding_approach(body, face);
       }
       data.length = scene.bodies[0].size[0];
       require(agree(data.length, scene.bodies[1].size[0]), "the two bodies must have the same width");
@@ -110,6 +127,39 @@ namespace abut
       }
       return data;
     }
+
+    /// The polynomial with these values at the nodes of a basis on [0, 1], by powers.
+    std::array<double, 4> powers(const LagrangeBasis &basis, const Eigen::VectorXd &values)
+    {
+      const Eigen::Index n = values.size();
+      Eigen::MatrixXd matrix(n, n);
+      for (Eigen::Index j = 0; j < n; ++j)
+        matrix.col(j) = basis.nodes().array().pow(static_cast<double>(j));
+      const Eigen::VectorXd solution = matrix.partialPivLu().solve(values);
+      std::array<double, 4> result{};
+      std::copy(solution.begin(), solution.end(), result.begin());
+      return result;
+    }
+
+    /// The pressure that a pair applies, over x of the slave's own frame.
+    std::vector<PressurePiece> pressure_pieces(const PairResult &pair, const Placement &placement,
+                                               const double length)
+    {
+      const Trace &slave = *pair.slave;
+      const std::vector<Eigen::VectorXd> pressures = applied_pressure(slave, pair.pressures);
+      const auto own_x = [&](const unsigned int node) {
+        return std::clamp(placement.point_to_own(slave.node_points()[node]).x(), 0., length);
+      };
+      std::vector<PressurePiece> pieces;
+      for (std::size_t i = 0; i < pressures.size(); ++i)
+      {
+        const auto &nodes = slave.segments()[i].nodes;
+        const double first = own_x(nodes.front()), last = own_x(nodes.back());
+        const Eigen::VectorXd values = first < last ? pressures[i] : Eigen::VectorXd(pressures[i].reverse());
+        pieces.push_back({std::min(first, last), std::max(first, last), powers(slave.basis(), values)});
+      }
+      return pieces;
+    }
   } // namespace
 
   LayersReference::LayersReference(const Scene &scene) : solution_(make_data(scene))
@@ -121,16 +171,35 @@ namespace abut
       contact_on_top_[index] = side.boundary == "top";
       thickness_[index] = scene.bodies[index].size[1];
     }
+    slave_placement_ = scene.bodies[scene.body_index(contact.slave.body)].placement;
+  }
+
+  template <typename Field>
+  OwnStress LayersReference::in_own_frame(const std::size_t body, const Field &field) const
+  {
+    const bool upright = contact_on_top_[body];
+    const double thickness = thickness_[body];
+    return [field, upright, thickness](const Vector2 &own_point) -> Stress {
+      const ExactStress s =
+          field(Vector2(own_point.x(), upright ? own_point.y() : thickness - own_point.y()));
+      return {s.xx, s.yy, upright ? s.xy : -s.xy, s.zz};
+    };
   }
 
   OwnStress LayersReference::stress(const std::size_t body) const
   {
-    return [this, body](const Vector2 &own_point) -> Stress {
-      const bool upright = contact_on_top_[body];
-      const Vector2 point(own_point.x(), upright ? own_point.y() : thickness_[body] - own_point.y());
-      const ExactStress s = solution_.stress(static_cast<unsigned int>(body), point);
-      return {s.xx, s.yy, upright ? s.xy : -s.xy, s.zz};
-    };
+    return in_own_frame(body, [this, body](const Vector2 &point) {
+      return solution_.stress(static_cast<unsigned int>(body), point);
+    });
+  }
+
+  OwnStress LayersReference::response(const std::size_t body, const std::vector<PairResult> &pairs) const
+  {
+    const double length = solution_.data().length;
+    const auto pressure =
+        std::make_shared<PiecewisePressure>(length, pressure_pieces(pairs.front(), slave_placement_, length));
+    const auto layer = std::make_shared<LayerResponse>(solution_.data().layers.at(body), pressure);
+    return in_own_frame(body, [layer](const Vector2 &point) { return layer->stress(point); });
   }
 
   std::function<double(const Vector2 &)> LayersReference::pressure() const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/reference/contact_pressure.h>
+#include <abut/reference/periodic_kernel.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -12,21 +13,6 @@ namespace abut
     using Complex = std::complex<double>;
     constexpr double contact_pressure_pi = boost::math::constants::pi<double>();
     constexpr Complex imaginary_unit(0., 1.);
-
-    // cot z - 1/z and its derivative 1/z^2 - 1/sin^2 z, from z and q = exp(2iz), |q| <= 1.
-    ContactPressure::Potential cotangent_without_pole(const Complex z, const Complex q)
-    {
-      if (std::norm(z) < 0.05 * 0.05)
-      {
-        const Complex s = z * z;
-        return {-z * (1. / 3. + s * (1. / 45. + s * (2. / 945. + s / 4725.))),
-                -(1. / 3. + s * (1. / 15. + s * (2. / 189. + s / 675.)))};
-      }
-      const Complex reciprocal = 1. / z;
-      const Complex ratio = 1. / (1. - q);
-      return {-imaginary_unit * (1. + q) * ratio - reciprocal,
-              reciprocal * reciprocal + 4. * q * ratio * ratio};
-    }
 
     // int_0^pi cos(2 k angle) sin(angle) d angle
     double cosine_moment(const Eigen::Index k)
@@ -53,6 +39,11 @@ namespace abut
       for (Eigen::Index j = 0; j < basis_.size(); ++j)
         sum += coefficients_(i) * coefficients_(j) * 0.5 * (cosine_moment(i - j) - cosine_moment(i + j + 1));
     return std::sqrt(0.5 * half_width() * sum);
+  }
+
+  double ContactPressure::integrate_against(const std::function<double(double)> &f) const
+  {
+    return 0.5 * weighted_.dot(basis_.nodes().unaryExpr(f));
   }
 
   ContactPressure::Potential ContactPressure::complex_potential(const double x, const double depth) const
@@ -88,7 +79,7 @@ namespace abut
     Potential sum{0., 0.};
     for (Eigen::Index q = 0; q < weighted_.size(); ++q)
     {
-      const Potential part =
+      const CotangentRest part =
           cotangent_without_pole(to_angle * (z - basis_.nodes()(q)), exponential * node_exponential_(q));
       sum.value += weighted_(q) * part.value;
       sum.slope += weighted_(q) * part.slope;

@@ -9,27 +9,47 @@
 
 namespace abut
 {
+  namespace
+  {
+    constexpr double layer_pi = boost::math::constants::pi<double>();
+  } // namespace
+
   double Layer::half_plane_compliance() const
   {
     return 2. * (1. - poisson_ratio * poisson_ratio) / young_modulus;
   }
 
-  double Layer::uniform_compliance() const
+  bool Layer::strains_laterally(const Ends ends) const
   {
+    return ends == Ends::infinite && base == Base::sliding;
+  }
+
+  double Layer::uniform_compliance(const Ends ends) const
+  {
+    if (strains_laterally(ends))
+      return 0.5 * thickness * half_plane_compliance();
     return thickness * (1. + poisson_ratio) * (1. - 2. * poisson_ratio) /
            (young_modulus * (1. - poisson_ratio));
   }
 
-  double Layer::compliance_change(const double u)
+  double Layer::uniform_stress_ratio(const Ends ends) const
+  {
+    return strains_laterally(ends) ? 0. : poisson_ratio / (1. - poisson_ratio);
+  }
+
+  double Layer::compliance_change(const double u) const
   {
     const double e = std::exp(-2. * u);
-    return e * (e - 1. - 2. * u) / (0.5 * (1. - e * e) + 2. * u * e);
+    if (base == Base::sliding)
+      return e * (e - 1. - 2. * u) / (0.5 * (1. - e * e) + 2. * u * e);
+    const double kappa = 3. - 4. * poisson_ratio;
+    const double middle = 1. + kappa * kappa + 4. * u * u;
+    return -e * (2. * kappa * e + 4. * u + middle) / (kappa * (1. + e * e) + middle * e);
   }
 
   Eigen::Index Layer::n_thin_modes(const double length) const
   {
-    return static_cast<Eigen::Index>(
-        std::ceil(40. * length / (boost::math::constants::pi<double>() * thickness)));
+    return static_cast<Eigen::Index>(std::ceil(40. * length / (layer_pi * thickness)));
   }
 
   void Layer::check(const std::string &name) const
@@ -45,25 +65,58 @@ namespace abut
       throw UserError(message.str());
   }
 
-  WaveStress half_plane_wave(const double scaled_depth)
+  WaveStress AiryWave::stress(const double v, const double exp_rising, const double exp_falling) const
   {
-    const double decay = std::exp(-scaled_depth);
-    return {(scaled_depth - 1.) * decay, -(1. + scaled_depth) * decay, scaled_depth * decay};
+    const double up = (rising + rising_slope * v) * exp_rising;
+    const double down = (falling + falling_slope * v) * exp_falling;
+    const double up_slope = rising_slope * exp_rising;
+    const double down_slope = falling_slope * exp_falling;
+    return {up + 2. * up_slope + down - 2. * down_slope, -(up + down), up + up_slope - down + down_slope};
   }
 
-  WaveStress layer_wave(const double u, const double v)
+  WaveStress AiryWave::stress(const double v, const double u) const
+  {
+    return stress(v, std::exp(v - u), std::exp(-v - u));
+  }
+
+  AiryWave Layer::wave(const double u) const
   {
     const double e = std::exp(-2. * u);
     const double sinh_u = 0.5 * (1. - e); // times exp(u)
     const double cosh_u = 0.5 * (1. + e);
-    const double determinant = 0.25 * (1. - e * e) + u * e;
-    const double a = (sinh_u + u * cosh_u) / determinant;
-    const double b = -sinh_u / determinant;
-    const double rising = std::exp(v - u);
-    const double falling = std::exp(-v - u);
-    const double cosh_v = 0.5 * (rising + falling); // times exp(-u)
-    const double sinh_v = 0.5 * (rising - falling);
-    return {a * cosh_v + b * (2. * cosh_v + v * sinh_v), -(a * cosh_v + b * v * sinh_v),
-            a * sinh_v + b * (sinh_v + v * cosh_v)};
+    if (base == Base::sliding)
+    {
+      const double determinant = 0.5 * (1. - e * e) + 2. * u * e;
+      const double a = (sinh_u + u * cosh_u) / determinant;
+      const double b = -sinh_u / determinant;
+      return {a, b, a, -b};
+    }
+    const double m = 2. * (1. - poisson_ratio);
+    const double determinant = 2. * ((m * m + u * u) * e + (2. * m - 1.) * sinh_u * sinh_u);
+    const double a = (m * cosh_u + u * sinh_u) / determinant; // a/m above
+    const double c = (u * cosh_u - (m - 1.) * sinh_u) / determinant;
+    return {m * a + (m - 1.) * c, c - a, m * a - (m - 1.) * c, c + a};
+  }
+
+  AiryWave Layer::wave_change(const double u) const
+  {
+    AiryWave result = wave(u);
+    result.rising -= 1. + u;
+    result.rising_slope += 1.;
+    return result;
+  }
+
+  Eigen::MatrixXd Layer::wave_displacement(const double length, const Eigen::VectorXd &x,
+                                           const Eigen::MatrixXd &modes,
+                                           const Eigen::MatrixXd &potential) const
+  {
+    const Eigen::Index n_waves = modes.rows() - 1;
+    Eigen::MatrixXd waves(x.size(), n_waves);
+    for (Eigen::Index i = 0; i < n_waves; ++i)
+    {
+      const double lambda = double(i + 1) * layer_pi / length;
+      waves.col(i) = compliance_change(lambda * thickness) / lambda * (lambda * x).array().cos();
+    }
+    return half_plane_compliance() * (waves * modes.bottomRows(n_waves) + potential);
   }
 } // namespace abut

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/reference/periodic_kernel.h>
 #include <abut/reference/sine_basis.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -45,12 +46,6 @@ namespace abut
         odd = double(4 * j + 4) / z * even - odd;
       }
       return result;
-    }
-
-    // -ln(sin z / z)
-    double minus_log_sinc(double z)
-    {
-      return std::abs(z) < 1e-4 ? z * z / 6. : -std::log(std::sin(z) / z);
     }
   } // namespace
 

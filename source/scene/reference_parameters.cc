@@ -10,7 +10,8 @@ namespace abut
   {
     const Choices<ReferenceParameters::Solution> reference_solutions{
         {"none", ReferenceParameters::Solution::none},
-        {"layers sliding", ReferenceParameters::Solution::layers_sliding}};
+        {"layers sliding", ReferenceParameters::Solution::layers_sliding},
+        {"layers bonded", ReferenceParameters::Solution::layers_bonded}};
 
     double positive_constant(const dealii::ParameterHandler &prm, const std::string &entry,
                              const Constants &constants)
@@ -19,7 +20,7 @@ namespace abut
       const double value = constant_value(prm.get(entry), constants, where);
       if (!(value > 0.))
         throw UserError(where + ": received `" + prm.get(entry) +
-                        "`, the solution layers sliding needs a number above 0");
+                        "`, the solution of two layers needs a number above 0");
       return value;
     }
   } // namespace
@@ -30,12 +31,14 @@ namespace abut
     prm.declare_entry(
         "Exact solution", "none", Patterns::Selection(words_of(reference_solutions)),
         "Exact solution with which results are compared. layers sliding: two layers with sliding "
-        "faces and roller ends, pressed together over a quadratic gap.");
+        "faces and roller ends, pressed together over a quadratic gap. layers bonded: the same with faces "
+        "that "
+        "do not slide.");
     prm.declare_entry("Approach", "0", Patterns::Anything(),
-                      "layers sliding: how far the outer faces approach each other, a formula of constants. "
+                      "layers: how far the outer faces approach each other, a formula of constants. "
                       "Length.");
     prm.declare_entry("Gap curvature", "0", Patterns::Anything(),
-                      "layers sliding: r of the gap r x^2, a formula of constants. 1 / length.");
+                      "layers: r of the gap r x^2, a formula of constants. 1 / length.");
   }
 
   ReferenceParameters ReferenceParameters::parse(dealii::ParameterHandler &prm, const Constants &constants)

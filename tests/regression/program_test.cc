@@ -42,7 +42,8 @@ TEST(Program, WritesTheFilesOfTheContract)
                                                    "error_discretisation,error_penalty,error_iteration,"
                                                    "error_total,true_error_energy,true_error_stress,"
                                                    "effectivity,effectivity_total,normal_force,max_pressure,"
-                                                   "wall_time_s");
+                                                   "wall_time_s,true_error_pressure,true_error_force,"
+                                                   "error_stress,change");
 }
 
 TEST(Program, ParametersCanBeRunAgain)

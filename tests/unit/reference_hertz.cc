@@ -37,7 +37,7 @@ namespace abut
      * What rigid faces and rollers add to the kernel of two half-planes is, near the contact, a constant plus
      * this number times the square of the distance.
      */
-    double kernel_curvature(const LayersSlidingData &data)
+    double kernel_curvature(const LayersContactData &data)
     {
       const double pi = boost::math::constants::pi<double>();
       double sum = 0.;
@@ -63,9 +63,9 @@ namespace abut
     double last_error = 1.;
     for (const double approach : {4e-4, 1e-4, 2.5e-5})
     {
-      LayersSlidingData data = different_layers();
+      LayersContactData data = different_layers();
       data.approach = approach;
-      const LayersSliding layers(data);
+      const LayersContact layers(data);
       const Layer &first = data.layers[0];
       const Layer &second = data.layers[1];
       const double modulus = composite_modulus(first.young_modulus, first.poisson_ratio, second.young_modulus,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The exact solution of two sliding layers: figures known to 12 digits, the contact condition, energy,
-// limits.
+// The exact solution of two layers: figures known to 12 digits, the contact condition, energy, limits.
 #include <abut/user_error.h>
 
 #include <gtest/gtest.h>
@@ -21,9 +20,9 @@ namespace abut
     }
   } // namespace
 
-  TEST(LayersSliding, reproduces_the_known_figures_of_two_equal_layers)
+  TEST(LayersContact, reproduces_the_known_figures_of_two_equal_layers)
   {
-    const LayersSliding exact(equal_layers());
+    const LayersContact exact(equal_layers());
     expect_relative(exact.half_width(), 1.0150918916860, 2e-12);
     expect_relative(exact.pressure(0.), 172.0703323845, 1e-12);
     expect_relative(exact.force(), 133.8364523567, 1e-12);
@@ -35,11 +34,14 @@ namespace abut
     }
   }
 
-  TEST(LayersSliding, displacements_close_the_gap_in_contact_and_leave_it_open_beyond)
+  TEST(LayersContact, displacements_close_the_gap_in_contact_and_leave_it_open_beyond)
   {
-    for (const LayersSlidingData &data : {equal_layers(), different_layers()})
+    for (const LayersContactData &given :
+         {equal_layers(), different_layers(), bonded_and_sliding_layers(), bonded_layers(),
+          infinite_layers(Layer::Base::sliding), infinite_layers(Layer::Base::bonded)})
     {
-      const LayersSliding exact(data);
+      const LayersContact exact(given);
+      const LayersContactData &data = exact.data();
       const double a = exact.half_width();
       const auto opening = [&](double x) {
         return exact.displacement(0, x) + exact.displacement(1, x) + data.gap_curvature * x * x -
@@ -60,28 +62,33 @@ namespace abut
   }
 
   // The gap is rigid, so the work of the approach is what the layers store: d(U_1 + U_2)/d Delta = force.
-  TEST(LayersSliding, force_is_the_derivative_of_the_energy_by_the_approach)
+  TEST(LayersContact, force_is_the_derivative_of_the_energy_by_the_approach)
   {
-    const LayersSlidingData data = different_layers();
-    const auto energy = [&](double factor) {
-      LayersSlidingData moved = data;
-      moved.approach *= factor;
-      const LayersSliding exact(moved);
-      return exact.strain_energy(0) + exact.strain_energy(1);
-    };
-    const double h = 1e-3;
-    const double derivative =
-        (8. * (energy(1. + h) - energy(1. - h)) - energy(1. + 2. * h) + energy(1. - 2. * h)) /
-        (12. * h * data.approach);
-    expect_relative(derivative, LayersSliding(data).force(), 1e-9);
+    LayersContactData infinite = bonded_and_sliding_layers();
+    infinite.ends = Layer::Ends::infinite;
+    for (const LayersContactData &data :
+         {different_layers(), bonded_and_sliding_layers(), bonded_layers(), infinite})
+    {
+      const auto energy = [&](double factor) {
+        LayersContactData moved = data;
+        moved.approach *= factor;
+        const LayersContact exact(moved);
+        return exact.strain_energy(0) + exact.strain_energy(1);
+      };
+      const double h = 1e-3;
+      const double derivative =
+          (8. * (energy(1. + h) - energy(1. - h)) - energy(1. + 2. * h) + energy(1. - 2. * h)) /
+          (12. * h * data.approach);
+      expect_relative(derivative, LayersContact(data).force(), 1e-9);
+    }
   }
 
-  TEST(LayersSliding, swapped_layers_swap_their_fields)
+  TEST(LayersContact, swapped_layers_swap_their_fields)
   {
-    LayersSlidingData swapped = different_layers();
+    LayersContactData swapped = different_layers();
     std::swap(swapped.layers[0], swapped.layers[1]);
-    const LayersSliding first(different_layers());
-    const LayersSliding second(swapped);
+    const LayersContact first(different_layers());
+    const LayersContact second(swapped);
     expect_relative(second.half_width(), first.half_width(), 1e-13);
     expect_relative(second.force(), first.force(), 1e-13);
     expect_relative(second.strain_energy(1), first.strain_energy(0), 1e-13);
@@ -90,42 +97,42 @@ namespace abut
     EXPECT_GT(std::abs(first.strain_energy(0) / first.strain_energy(1) - 1.), 0.1);
   }
 
-  TEST(LayersSliding, scales_with_modulus_length_and_load)
+  TEST(LayersContact, scales_with_modulus_length_and_load)
   {
-    const LayersSlidingData data = different_layers();
-    const LayersSliding exact(data);
+    const LayersContactData data = different_layers();
+    const LayersContact exact(data);
 
-    LayersSlidingData stiffer = data;
+    LayersContactData stiffer = data;
     for (Layer &layer : stiffer.layers)
       layer.young_modulus *= 2.;
-    expect_relative(LayersSliding(stiffer).half_width(), exact.half_width(), 1e-13);
-    expect_relative(LayersSliding(stiffer).pressure(0.3), 2. * exact.pressure(0.3), 1e-12);
+    expect_relative(LayersContact(stiffer).half_width(), exact.half_width(), 1e-13);
+    expect_relative(LayersContact(stiffer).pressure(0.3), 2. * exact.pressure(0.3), 1e-12);
 
-    LayersSlidingData longer = data; // centimetres to micrometres
+    LayersContactData longer = data; // centimetres to micrometres
     longer.length *= 1e4;
     longer.approach *= 1e4;
     longer.gap_curvature /= 1e4;
     for (Layer &layer : longer.layers)
       layer.thickness *= 1e4;
-    expect_relative(LayersSliding(longer).half_width(), 1e4 * exact.half_width(), 1e-12);
-    expect_relative(LayersSliding(longer).pressure(0.3e4), exact.pressure(0.3), 1e-12);
+    expect_relative(LayersContact(longer).half_width(), 1e4 * exact.half_width(), 1e-12);
+    expect_relative(LayersContact(longer).pressure(0.3e4), exact.pressure(0.3), 1e-12);
 
-    LayersSlidingData loaded = data; // a gap and an approach twice as large: the same contact
+    LayersContactData loaded = data; // a gap and an approach twice as large: the same contact
     loaded.approach *= 2.;
     loaded.gap_curvature *= 2.;
-    expect_relative(LayersSliding(loaded).half_width(), exact.half_width(), 1e-13);
-    expect_relative(LayersSliding(loaded).force(), 2. * exact.force(), 1e-12);
+    expect_relative(LayersContact(loaded).half_width(), exact.half_width(), 1e-13);
+    expect_relative(LayersContact(loaded).force(), 2. * exact.force(), 1e-12);
   }
 
-  TEST(LayersSliding, refuses_what_has_no_solution_of_this_kind)
+  TEST(LayersContact, refuses_what_has_no_solution_of_this_kind)
   {
     const auto with = [](auto change) {
-      LayersSlidingData data = equal_layers();
+      LayersContactData data = equal_layers();
       change(data);
       return data;
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const LayersSlidingData &wrong : {
+    for (const LayersContactData &wrong : {
              with([](auto &d) { d.approach = 0.; }),
              with([](auto &d) { d.approach = -1e-3; }),
              with([](auto &d) { d.approach = 1.; }),    // contact fills the width
@@ -138,16 +145,16 @@ namespace abut
              with([](auto &d) { d.layers[0].thickness = 0.; }),
              with([](auto &d) { d.layers[0].thickness = 0.009; }),
          })
-      EXPECT_THROW(LayersSliding{wrong}, UserError);
+      EXPECT_THROW(LayersContact{wrong}, UserError);
   }
 
-  TEST(LayersSliding, names_the_approach_and_its_limits)
+  TEST(LayersContact, names_the_approach_and_its_limits)
   {
-    LayersSlidingData data = equal_layers();
+    LayersContactData data = equal_layers();
     data.approach = 0.5;
     try
     {
-      const LayersSliding exact(data);
+      const LayersContact exact(data);
       FAIL() << "an approach that fills the width was accepted";
     }
     catch (const UserError &error)
@@ -159,30 +166,31 @@ namespace abut
 
   // Far from the edge of contact a thin sliding layer gives way like springs, H(1-nu^2)/E each, and by the
   // mean pressure without lateral strain: L(u) = u/2 + O(u^5), a parabola of pressure feels no more of it.
-  TEST(LayersSliding, thin_layers_are_elastic_foundations)
+  TEST(LayersContact, thin_layers_are_elastic_foundations)
   {
-    LayersSlidingData data = equal_layers();
+    LayersContactData data = equal_layers();
     for (Layer &layer : data.layers)
       layer.thickness = 0.05;
-    const LayersSliding exact(data);
+    const LayersContact exact(data);
     const Layer &layer = data.layers[0];
     const double spring =
         layer.thickness * (1. - layer.poisson_ratio * layer.poisson_ratio) / layer.young_modulus;
     const double mean = exact.force() / data.length;
     for (const double x : {0., 0.1, 0.3})
     {
-      const double expected = layer.uniform_compliance() * mean + spring * (exact.pressure(x) - mean);
+      const double expected =
+          layer.uniform_compliance(Layer::Ends::rollers) * mean + spring * (exact.pressure(x) - mean);
       EXPECT_NEAR(2. * expected / (data.approach - data.gap_curvature * x * x), 1., 1e-10) << "x = " << x;
     }
   }
 
-  TEST(LayersSliding, is_resolved_between_narrow_and_wide_contact)
+  TEST(LayersContact, is_resolved_between_narrow_and_wide_contact)
   {
     for (const double approach : {1e-7, 1e-5, 1e-3, 5e-3, 9e-3})
     {
-      LayersSlidingData data = equal_layers();
+      LayersContactData data = equal_layers();
       data.approach = approach;
-      const LayersSliding exact(data);
+      const LayersContact exact(data);
       const double x = 0.9371 * exact.half_width();
       EXPECT_NEAR(2. * exact.displacement(0, x) / (approach - data.gap_curvature * x * x), 1., 1e-9)
           << approach;

@@ -17,7 +17,8 @@ namespace abut
 
     /**
      * Depth of the wave cos(lambda x) that the unit pressure wave leaves on the surface: the energy of
-     * u = (U(y) sin lambda x, V(y) cos lambda x), V(0) = 0, is minimised over polynomials.
+     * u = (U(y) sin lambda x, V(y) cos lambda x), V(0) = 0 and U(0) = 0 on a bonded base, is minimised over
+     * polynomials.
      */
     double wave_compliance(const Layer &layer, double lambda)
     {
@@ -35,8 +36,9 @@ namespace abut
               (k == 0 ? 0. : double(k) * (std::legendre(order - 1, t) - t * value) / (1. - t * t)) * 2. /
               layer.thickness;
           const double y = 0.5 * (1. + t) * layer.thickness;
-          xx(k) = lambda * value; // U = P_k
-          shear(k) = slope;
+          const bool bonded = layer.base == Layer::Base::bonded; // U = y P_k, else P_k
+          xx(k) = bonded ? lambda * y * value : lambda * value;
+          shear(k) = bonded ? value + y * slope : slope;
           yy(n + k) = value + y * slope; // V = y P_k
           shear(n + k) = -lambda * y * value;
         }
@@ -64,26 +66,43 @@ namespace abut
     }
   } // namespace
 
-  TEST(LayersSliding, every_wave_has_the_compliance_of_a_galerkin_solution)
+  TEST(LayersContact, every_wave_has_the_compliance_of_a_galerkin_solution)
   {
-    const LayersSliding exact(different_layers());
-    const double length = exact.data().length;
-    for (const unsigned int body : {0U, 1U})
-      for (const int k : {1, 2, 3, 5, 8})
-      {
-        const double lambda = k * pi / length;
-        const double pressed =
-            wave_amplitude([&](double x) { return exact.pressure(x); }, lambda, exact.half_width(), length);
-        const double moved = wave_amplitude([&](double x) { return exact.displacement(body, x); }, lambda,
-                                            exact.half_width(), length);
-        const double expected = pressed * wave_compliance(exact.data().layers[body], lambda);
-        EXPECT_NEAR((moved - expected) / exact.displacement(body, 0.), 0., 1e-12) << "wave " << k;
-      }
+    for (const LayersContactData &data : {different_layers(), bonded_and_sliding_layers(), bonded_layers()})
+    {
+      const LayersContact exact(data);
+      const double length = data.length;
+      for (const unsigned int body : {0U, 1U})
+        for (const int k : {1, 2, 3, 5, 8})
+        {
+          const double lambda = k * pi / length;
+          const double pressed =
+              wave_amplitude([&](double x) { return exact.pressure(x); }, lambda, exact.half_width(), length);
+          const double moved = wave_amplitude([&](double x) { return exact.displacement(body, x); }, lambda,
+                                              exact.half_width(), length);
+          const double expected = pressed * wave_compliance(data.layers[body], lambda);
+          EXPECT_NEAR((moved - expected) / exact.displacement(body, 0.), 0., 1e-12) << "wave " << k;
+        }
+    }
   }
 
-  TEST(LayersSliding, uniform_pressure_compresses_without_lateral_strain)
+  // A wave much longer than the layer is thick, near lambda = 0 in a layer without ends.
+  TEST(Layer, infinite_ends_are_the_limit_of_long_waves)
   {
-    const LayersSliding exact(different_layers());
+    for (const Layer::Base base : {Layer::Base::sliding, Layer::Base::bonded})
+    {
+      const Layer layer{0.7e5, 0.42, 1.7, base};
+      const double limit = wave_compliance(layer, 1e-3);
+      EXPECT_NEAR(layer.uniform_compliance(Layer::Ends::infinite) / limit, 1., 2e-5);
+      EXPECT_NEAR(layer.half_plane_compliance() * (1. + layer.compliance_change(1e-3 * layer.thickness)) /
+                      (1e-3 * limit),
+                  1., 1e-9);
+    }
+  }
+
+  TEST(LayersContact, uniform_pressure_compresses_without_lateral_strain)
+  {
+    const LayersContact exact(bonded_and_sliding_layers());
     const double length = exact.data().length;
     for (const unsigned int body : {0U, 1U})
     {

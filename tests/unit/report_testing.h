@@ -50,6 +50,8 @@ protected:
     contact.max_pressure = 7.;
     results.pairs.push_back(contact);
     results.iteration.steps = 4;
+    results.passes.resize(1);
+    results.passes[0].steps = 4;
     results.iteration.stopped_by = abut::StoppedBy::increment;
     results.iteration.increment = 1e-3;
     results.left_out = {"adaptation"};

@@ -59,7 +59,7 @@ TEST(SceneErrors, bodies)
       {"Body upper/Method=boundary elements", "[Selection finite elements ]"},
       {"Body upper/Degree=4", "[Integer range 0...3 (inclusive)]"},
       {"Body upper/Adapt=true",
-       "Body upper/Adapt: received `true`, allowed is false: adaptation is not available"},
+       "Body upper/Adapt: received `true`, but Adaptation/Estimator is none; allowed with it is false"},
       {"Body upper/Body force=1", "Body upper/Body force: received `1`, allowed are nothing or two formulas"},
       {"Body upper/Conditions=top: glue: 0", "Body upper/Conditions: top: received `glue`, allowed are"},
   });

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <abut/driver/exact_solution.h>
-#include <abut/reference/layers_sliding.h>
+#include <abut/reference/layers_contact.h>
 
 #include <array>
 
 namespace abut
 {
   /**
-   * LayersSliding seen from the bodies of a scene: everything in a body's own frame, where the body is a
-   * rectangle whose top or bottom is the contact side.
+   * LayersContact seen from the bodies of a scene (`layers sliding`, `layers bonded`): everything in a body's
+   * own frame, where the body is a rectangle whose top or bottom is the contact side.
    */
   class LayersReference : public ExactSolution
   {
@@ -21,11 +21,15 @@ namespace abut
     OwnStress stress(std::size_t body) const override;
     std::function<double(const Vector2 &)> pressure() const override;
     std::optional<double> force() const override { return solution_.force(); }
-    const LayersSliding &solution() const { return solution_; }
+    OwnStress response(std::size_t body, const std::vector<PairResult> &pairs) const override;
 
   private:
+    /// A field of the layer's frame, contact above, in the body's own frame.
+    template <typename Field> OwnStress in_own_frame(std::size_t body, const Field &field) const;
+
     std::array<bool, 2> contact_on_top_;
     std::array<double, 2> thickness_;
-    LayersSliding solution_;
+    Placement slave_placement_;
+    LayersContact solution_;
   };
 } // namespace abut

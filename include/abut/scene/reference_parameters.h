@@ -16,8 +16,9 @@ namespace abut
     enum class Solution
     {
       none,
-      layers_sliding ///< two layers with sliding faces and roller ends, pressed by `Approach`, gap `Gap
-                     ///< curvature` x^2
+      layers_sliding, ///< two layers with sliding faces and roller ends, pressed by `Approach`, gap `Gap
+                      ///< curvature` x^2
+      layers_bonded   ///< the same with faces that are held along themselves
     };
     Solution solution = Solution::none;
     double approach = 0.;

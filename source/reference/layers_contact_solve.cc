@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/reference/layers_sliding.h>
-#include <abut/reference/layers_sliding_solve.h>
+#include <abut/reference/layers_contact.h>
+#include <abut/reference/layers_contact_solve.h>
 #include <abut/user_error.h>
 
 #include <Eigen/LU>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -19,12 +20,14 @@ namespace abut
     constexpr double widest_contact = 0.99;
     constexpr double thinnest_layer = 1. / 400.; // thickness by length
 
-    void check_layers_data(const LayersSlidingData &data)
+    constexpr double infinite_length = 25.; // beyond the contact, by thickness
+
+    void check_layers_data(const LayersContactData &data)
     {
       data.layers[0].check("The first layer");
       data.layers[1].check("The second layer");
       std::ostringstream message;
-      if (!(data.length > 0.))
+      if (data.ends == Layer::Ends::rollers && !(data.length > 0.))
         message << "The layers have the length " << data.length << ", which must be positive.";
       else if (!(data.gap_curvature > 0.))
         message << "The gap between the layers has the curvature " << data.gap_curvature
@@ -32,12 +35,20 @@ namespace abut
       else if (!(data.approach > 0.))
         message << "The layers are pressed together by the approach " << data.approach
                 << ", which must be positive.";
-      for (const Layer &layer : data.layers)
-        if (message.str().empty() && layer.thickness < thinnest_layer * data.length)
-          message << "A layer has the thickness " << layer.thickness << ", which must be at least "
-                  << thinnest_layer << " of its length " << data.length << " for the exact solution.";
       if (!message.str().empty())
         throw UserError(message.str());
+    }
+
+    void check_thickness(const LayersContactData &data)
+    {
+      for (const Layer &layer : data.layers)
+        if (layer.thickness < thinnest_layer * data.length)
+        {
+          std::ostringstream message;
+          message << "A layer has the thickness " << layer.thickness << ", which must be at least "
+                  << thinnest_layer << " of the length " << data.length << " for the exact solution.";
+          throw UserError(message.str());
+        }
     }
 
     struct ContactForWidth
@@ -48,7 +59,7 @@ namespace abut
 
     // The unknowns are the coefficients and the approach without its uniform part, which would spoil the
     // condition of the system in thick layers.
-    ContactForWidth solve_for_width(const LayersSlidingData &data, const SineBasis &basis)
+    ContactForWidth solve_for_width(const LayersContactData &data, const SineBasis &basis)
     {
       const Eigen::Index n = basis.size();
       const double a = basis.half_width();
@@ -66,9 +77,9 @@ namespace abut
       for (const Layer &layer : data.layers)
       {
         compliance += layer.half_plane_compliance();
-        uniform_compliance += layer.uniform_compliance();
+        uniform_compliance += layer.uniform_compliance(data.ends);
         const Eigen::MatrixXd modes = basis.modes(layer.n_thin_modes(data.length));
-        matrix.leftCols(n) += wave_displacement(layer, data.length, x, modes, potential);
+        matrix.leftCols(n) += layer.wave_displacement(data.length, x, modes, potential);
       }
       matrix.leftCols(n) /= a * compliance; // free of units
       matrix.col(n).setConstant(-1.);
@@ -79,7 +90,7 @@ namespace abut
       return {coefficients, solution(n) * a + uniform_compliance * mean_pressure};
     }
 
-    double find_half_width(const LayersSlidingData &data, const Eigen::Index n)
+    double find_half_width(const LayersContactData &data, const Eigen::Index n)
     {
       const auto excess = [&](double a) {
         return solve_for_width(data, SineBasis(a, data.length, n)).approach / data.approach - 1.;
@@ -104,22 +115,21 @@ namespace abut
     }
   } // namespace
 
-  Eigen::MatrixXd wave_displacement(const Layer &layer, const double length, const Eigen::VectorXd &x,
-                                    const Eigen::MatrixXd &modes, const Eigen::MatrixXd &potential)
-  {
-    const Eigen::Index n_waves = modes.rows() - 1;
-    Eigen::MatrixXd waves(x.size(), n_waves);
-    for (Eigen::Index i = 0; i < n_waves; ++i)
-    {
-      const double lambda = double(i + 1) * layers_solve_pi / length;
-      waves.col(i) = Layer::compliance_change(lambda * layer.thickness) / lambda * (lambda * x).array().cos();
-    }
-    return layer.half_plane_compliance() * (waves * modes.bottomRows(n_waves) + potential);
-  }
-
-  ContactPressure solve_layers_sliding(const LayersSlidingData &data)
+  // No contact is wider than that of thin incompressible layers, whose volume under it is kept:
+  // Delta - r0 a^2/3 = 0.
+  LayersContactData with_finite_length(const LayersContactData &data)
   {
     check_layers_data(data);
+    LayersContactData result = data;
+    if (data.ends == Layer::Ends::infinite)
+      result.length = std::sqrt(3. * data.approach / data.gap_curvature) +
+                      infinite_length * std::max(data.layers[0].thickness, data.layers[1].thickness);
+    check_thickness(result);
+    return result;
+  }
+
+  ContactPressure solve_layers_contact(const LayersContactData &data)
+  {
     for (Eigen::Index n = 16; n <= 256; n *= 2)
     {
       const SineBasis basis(find_half_width(data, n), data.length, n);

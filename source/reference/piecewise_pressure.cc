@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/reference/legendre_second_kind.h>
+#include <abut/reference/piecewise_pressure.h>
+#include <abut/user_error.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/bessel.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    constexpr double pieces_pi = boost::math::constants::pi<double>();
+
+    double evaluate_piece(const PressurePiece &piece, const double t)
+    {
+      const std::array<double, 4> &c = piece.coefficients;
+      return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+    }
+
+    // From powers on [0, 1] to Legendre polynomials on [-1, 1].
+    std::array<double, 4> to_legendre(const std::array<double, 4> &c)
+    {
+      return {{c[0] + c[1] / 2. + c[2] / 3. + c[3] / 4., c[1] / 2. + c[2] / 2. + 9. * c[3] / 20.,
+               c[2] / 6. + c[3] / 4., c[3] / 20.}};
+    }
+
+    // P_n(-t) = (-1)^n P_n(t)
+    std::array<double, 4> mirrored(const std::array<double, 4> &legendre)
+    {
+      return {{legendre[0], -legendre[1], legendre[2], -legendre[3]}};
+    }
+
+    bool is_zero(const PressurePiece &piece)
+    {
+      return piece.coefficients == std::array<double, 4>{};
+    }
+
+    void check_piece(const PressurePiece &piece, const double length, const double previous_end)
+    {
+      const std::array<double, 4> &c = piece.coefficients;
+      std::ostringstream message;
+      if (!(piece.start >= 0. && piece.start < piece.end && piece.end <= length))
+        message << "A piece of pressure reaches from " << piece.start << " to " << piece.end
+                << ", which must increase within 0 and " << length << ".";
+      else if (piece.start < previous_end)
+        message << "A piece of pressure begins at " << piece.start
+                << ", which must not be left of the end of the one before, " << previous_end << ".";
+      else if (!std::all_of(c.begin(), c.end(), [](double value) { return std::isfinite(value); }))
+        message << "The piece of pressure from " << piece.start << " to " << piece.end
+                << " has a coefficient that is not finite.";
+      if (!message.str().empty())
+        throw UserError(message.str());
+    }
+
+    // ln|x|, large and finite at 0 as in legendre_second_kind.
+    double logarithm_of(const double x)
+    {
+      return 0.5 * std::log(std::max(x * x, std::numeric_limits<double>::min()));
+    }
+
+    // Moments for MirrorRest, exact.
+    Eigen::VectorXd moments_of(const std::vector<PressurePiece> &pieces, const double length)
+    {
+      using Gauss = boost::math::quadrature::gauss<double, 20>;
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(MirrorRest::n_moments);
+      for (const PressurePiece &piece : pieces)
+      {
+        const double width = piece.end - piece.start;
+        for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
+          for (const double sign : {-1., 1.})
+          {
+            const double t = 0.5 * (1. + sign * Gauss::abscissa()[i]);
+            const double x = piece.start + width * t;
+            sum += 0.5 * width * Gauss::weights()[i] * evaluate_piece(piece, t) *
+                   legendre_polynomials(MirrorRest::n_moments, 2. * x / length - 1.);
+          }
+      }
+      return sum;
+    }
+
+    std::vector<PressurePiece> checked_pieces(std::vector<PressurePiece> pieces, const double length)
+    {
+      const auto is_left = [](const PressurePiece &a, const PressurePiece &b) { return a.start < b.start; };
+      std::sort(pieces.begin(), pieces.end(), is_left);
+      double previous_end = 0.;
+      for (const PressurePiece &piece : pieces)
+      {
+        check_piece(piece, length, previous_end);
+        previous_end = piece.end;
+      }
+      pieces.erase(std::remove_if(pieces.begin(), pieces.end(), is_zero), pieces.end());
+      return pieces;
+    }
+  } // namespace
+
+  PiecewisePressure::PiecewisePressure(const double length, const std::vector<PressurePiece> &pieces)
+      : length_(length), pieces_(checked_pieces(pieces, length)), rest_(length, moments_of(pieces_, length))
+  {
+    for (const PressurePiece &piece : pieces_)
+      add_with_images(piece);
+  }
+
+  void PiecewisePressure::add_with_images(const PressurePiece &piece)
+  {
+    const std::array<double, 4> legendre = to_legendre(piece.coefficients);
+    segments_.push_back({0., piece.start, piece.end, legendre});
+    segments_.push_back({0., -piece.end, -piece.start, mirrored(legendre)});
+    segments_.push_back({length_, length_ - piece.end, length_ - piece.start, mirrored(legendre)});
+  }
+
+  double PiecewisePressure::value(const double x) const
+  {
+    const double inside = std::abs(std::remainder(x, 2. * length_));
+    for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece)
+      if (piece->start <= inside)
+      {
+        const bool within = inside < piece->end || (inside == length_ && piece->end == length_);
+        return within ? evaluate_piece(*piece, (inside - piece->start) / (piece->end - piece->start)) : 0.;
+      }
+    return 0.;
+  }
+
+  double PiecewisePressure::force() const
+  {
+    double sum = 0.;
+    for (const PressurePiece &piece : pieces_)
+      sum += (piece.end - piece.start) * to_legendre(piece.coefficients)[0];
+    return sum;
+  }
+
+  double PiecewisePressure::l2_norm() const
+  {
+    double sum = 0.;
+    for (const PressurePiece &piece : pieces_)
+    {
+      const std::array<double, 4> c = to_legendre(piece.coefficients);
+      sum +=
+          (piece.end - piece.start) * (c[0] * c[0] + c[1] * c[1] / 3. + c[2] * c[2] / 5. + c[3] * c[3] / 7.);
+    }
+    return std::sqrt(sum);
+  }
+
+  double PiecewisePressure::integrate_against(const std::function<double(double)> &f) const
+  {
+    boost::math::quadrature::tanh_sinh<double> quadrature(8);
+    double sum = 0.;
+    for (const PressurePiece &piece : pieces_)
+    {
+      const double width = piece.end - piece.start;
+      const auto density = [&](double t) {
+        return width * evaluate_piece(piece, t) * f(piece.start + width * t);
+      };
+      sum += quadrature.integrate(density, 0., 1., 1e-12);
+    }
+    return sum;
+  }
+
+  // int_{-1}^{1} P_n(t) exp(i omega t) dt = 2 i^n j_n(omega)
+  Eigen::VectorXd PiecewisePressure::modes(const Eigen::Index n_modes) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n_modes + 1);
+    result(0) = force() / length_;
+    for (const PressurePiece &piece : pieces_)
+    {
+      const double half = 0.5 * (piece.end - piece.start);
+      const std::array<double, 4> c = to_legendre(piece.coefficients);
+      for (Eigen::Index k = 1; k <= n_modes; ++k)
+      {
+        const double lambda = double(k) * pieces_pi / length_;
+        const double phase = lambda * (piece.start + half);
+        const auto bessel = [&](unsigned int n) { return boost::math::sph_bessel(n, lambda * half); };
+        result(k) += 4. * half / length_ *
+                     (std::cos(phase) * (c[0] * bessel(0) - c[2] * bessel(2)) -
+                      std::sin(phase) * (c[1] * bessel(1) - c[3] * bessel(3)));
+      }
+    }
+    return result;
+  }
+
+  double PiecewisePressure::potential(const double x) const
+  {
+    const double inside = std::abs(std::remainder(x, 2. * length_));
+    double sum = 0.;
+    for (const Segment &segment : segments_)
+    {
+      const double from_start = inside - segment.origin - segment.start;
+      const double from_end = inside - segment.origin - segment.end;
+      const LegendreSecondKind q = legendre_second_kind(from_start, from_end);
+      const std::array<double, 4> &c = segment.legendre;
+      double part = c[0] * (logarithm_of(from_start) + logarithm_of(from_end) + 2. * q[1].real());
+      for (std::size_t n = 1; n < 4; ++n)
+        part += c[n] * 2. / double(2 * n + 1) * (q[n + 1].real() - q[n - 1].real());
+      sum += 0.5 * (segment.end - segment.start) * part;
+    }
+    return rest_.potential(inside) - sum / pieces_pi;
+  }
+
+  PeriodicPressure::Potential PiecewisePressure::complex_potential(const double x, const double depth) const
+  {
+    const double inside = std::remainder(x, 2. * length_);
+    const std::complex<double> z(std::abs(inside), depth);
+    const Potential poles = pole_part(z);
+    const Potential rest = rest_.complex_potential(z);
+    const std::complex<double> value = poles.value + rest.value;
+    const std::complex<double> slope = depth > 0. ? poles.slope + rest.slope : 0.;
+    if (inside < 0.) // p is even: G(-conj z) = conj G(z)
+      return {std::conj(value), -std::conj(slope)};
+    return {value, slope};
+  }
+
+  // The slope by (tau^2 - 1) Q_n' = n (tau Q_n - Q_{n-1}) and (tau^2 - 1) Q_0' = -1.
+  PeriodicPressure::Potential PiecewisePressure::pole_part(const std::complex<double> z) const
+  {
+    Potential sum{0., 0.};
+    for (const Segment &segment : segments_)
+    {
+      const std::complex<double> from_start = z - segment.origin - segment.start;
+      const std::complex<double> from_end = z - segment.origin - segment.end;
+      const double half = 0.5 * (segment.end - segment.start);
+      const std::complex<double> tau = 0.5 * (from_start + from_end) / half;
+      const LegendreSecondKind q = legendre_second_kind(from_start, from_end);
+      const std::array<double, 4> &c = segment.legendre;
+      sum.value += c[0] * q[0] + c[1] * q[1] + c[2] * q[2] + c[3] * q[3];
+      const std::complex<double> slope = c[1] * (tau * q[1] - q[0]) + 2. * c[2] * (tau * q[2] - q[1]) +
+                                         3. * c[3] * (tau * q[3] - q[2]) - c[0];
+      const std::complex<double> square = from_start * from_end;
+      sum.slope += half / std::norm(square) * std::conj(square) * slope;
+    }
+    const std::complex<double> factor(0., 2. / pieces_pi);
+    return {factor * sum.value, factor * sum.slope};
+  }
+} // namespace abut
