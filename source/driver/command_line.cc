@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/command_line.h>
 #include <abut/driver/simulation.h>
+#include <abut/driver/study.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/console.h>
 #include <abut/report/progress.h>
@@ -21,7 +22,7 @@ namespace abut
     {
       std::string file;
       std::vector<std::string> overrides;
-      bool check = false, quiet = false, print_parameters = false;
+      bool check = false, quiet = false, print_parameters = false, study = false;
     };
 
     /// Empty where the command line is dealt with: `status` is then what to end with.
@@ -43,6 +44,10 @@ namespace abut
       app.add_flag("--quiet", options.quiet, "No progress and no tables; errors only");
       app.add_flag("--print-parameters", options.print_parameters,
                    "Print every parameter with its documentation and default, and stop");
+      app.add_subcommand("study",
+                         "Run the variants that the file's section Study lists: error against run time")
+          ->fallthrough()
+          ->parse_complete_callback([&] { options.study = true; });
       app.footer("Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did "
                  "not reach what "
                  "it was asked for (the results say so).");
@@ -105,6 +110,15 @@ namespace abut
       return ExitStatus::not_converged;
     }
 
+    int study(const Options &options, std::ostream &out, std::ostream &err)
+    {
+      const std::vector<std::string> failed = run_study(options.file, options.overrides, options.quiet, out);
+      for (const std::string &name : failed)
+        err << "abut: " << options.file << ": the variant `" << name
+            << "` has not reached what it was asked for; run it by itself to see why\n";
+      return failed.empty() ? ExitStatus::converged : ExitStatus::not_converged;
+    }
+
     int run(const Options &options, std::ostream &out, std::ostream &err)
     {
       if (options.print_parameters)
@@ -112,6 +126,8 @@ namespace abut
         Scene::print_parameters(out);
         return ExitStatus::converged;
       }
+      if (options.study)
+        return study(options, out, err);
       const Scene scene = Scene::read(options.file, options.overrides);
       if (!options.check)
         return run_scene(scene, options.quiet, out, err);

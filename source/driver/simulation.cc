@@ -11,9 +11,12 @@ namespace abut
 {
   Simulation::Simulation(const Scene &scene) : scene_(scene)
   {
-    const Stopwatch watch(mesh_time_);
     use_one_blas_thread();
-    exact_ = make_exact_solution(scene);
+    {
+      const Stopwatch watch(reference_time_);
+      exact_ = make_exact_solution(scene);
+    }
+    const Stopwatch watch(mesh_time_);
     model_ = std::make_unique<Model>(scene, exact_.get());
     indicator_ = make_indicator(scene.adaptation.estimator);
   }
@@ -43,6 +46,7 @@ namespace abut
     Results results;
     results.scene = &scene_;
     results.times.mesh = mesh_time_;
+    results.times.reference = reference_time_;
     std::optional<CarriedState> carried; // from the mesh before
     for (unsigned int pass = 0;; ++pass)
     {

@@ -59,6 +59,7 @@ namespace abut
       declare_section(prm, "Decomposition", DecompositionParameters::declare);
       declare_section(prm, "Adaptation", AdaptationParameters::declare);
       declare_section(prm, "Reference", ReferenceParameters::declare);
+      declare_section(prm, "Study", StudyParameters::declare);
     }
 
     /// Whether a file that can be read with all its sections declared has the section of this body.
@@ -111,6 +112,7 @@ namespace abut
       scene.adaptation = parse_section(prm, "Adaptation", [&] { return AdaptationParameters::parse(prm); });
       scene.reference = parse_section(prm, "Reference",
                                       [&] { return ReferenceParameters::parse(prm, preamble.constants); });
+      scene.study = parse_section(prm, "Study", [&] { return StudyParameters::parse(prm); });
     }
 
     /// Whether a body is given with curved sides but meshed with straight ones.

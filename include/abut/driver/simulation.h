@@ -95,6 +95,6 @@ namespace abut
     std::unique_ptr<InterfaceSolver> solver_; ///< of the present mesh
     Estimation estimation_;                   ///< of the present solution
     bool state_is_field_ = true; ///< combined algorithm: false after the paper's literal initial guess
-    double mesh_time_ = 0.;
+    double mesh_time_ = 0., reference_time_ = 0.;
   };
 } // namespace abut

@@ -83,7 +83,7 @@ namespace abut
     std::optional<double> change;
     double normal_force = 0., max_pressure = 0.; ///< sum and largest over the pairs
     std::size_t n_missed = 0;                    ///< pieces of missed contact
-    double seconds = 0.;                         ///< since the run began, without comparing with the exact solution
+    double seconds = 0.; ///< since the run began, without comparing with the exact solution
   };
 
   /// Why no further mesh was made, in a scene that adapts.

@@ -6,6 +6,7 @@
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
 #include <abut/scene/reference_parameters.h>
+#include <abut/scene/study_parameters.h>
 
 #include <iosfwd>
 #include <string>
@@ -23,6 +24,7 @@ namespace abut
     DecompositionParameters decomposition;
     AdaptationParameters adaptation;
     ReferenceParameters reference;
+    StudyParameters study;
     std::string parameters; ///< all parameters used, as a file that can be run again from any folder: mesh
                             ///< files by their absolute names, the output directory as it was used
 
