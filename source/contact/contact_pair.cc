@@ -90,8 +90,10 @@ namespace abut
     for (std::size_t i = 0; i < samples_.pieces.size(); ++i)
     {
       const auto &nodes = slave_trace.segments()[samples_.pieces[i].slave_segment].nodes;
-      if (pointwise[static_cast<Eigen::Index>(i)] < -round_off &&
-          std::none_of(nodes.begin(), nodes.end(), [&](const unsigned int node) { return near[node]; }))
+      const bool far =
+          std::none_of(nodes.begin(), nodes.end(), [&](const unsigned int node) { return near[node]; });
+      const auto first = static_cast<Eigen::Index>(i) * GapSamples::per_piece;
+      if (far && smallest_value(pointwise.segment(first, GapSamples::per_piece)) < -round_off)
         missed.push_back(samples_.pieces[i]);
     }
     return missed;

@@ -29,9 +29,11 @@ namespace abut
     DecompositionParameters parameters = parameters_;
     if (tolerance && parameters.stopping_rule == StoppingRule::bound)
       parameters.tolerance = *tolerance;
+    // Bodies that do not overlap under their loads do not press: an older traction would only have to decay.
+    const bool overlaps = !problem_.pressures(loads.response).isZero(0.);
     const InterfaceState state =
-        start ? respond_to(*compliance_, loads, *start)
-              : initial_guess(problem_, *compliance_, loads, parameters_.initial_guess);
+        start && overlaps ? respond_to(*compliance_, loads, *start)
+                          : initial_guess(problem_, *compliance_, loads, parameters_.initial_guess);
     return NeumannScheme(problem_, *compliance_, parameters, relaxation_).solve(loads, state, observer);
   }
 
