@@ -204,3 +204,62 @@ TEST(ElasticityRefined, ConditionsAtVerticesSurvive)
         << variant.degree;
   }
 }
+
+TEST(ElasticityRefined, ARingUnderPressureConvergesAndIsInBalance)
+{
+  // Lame: u_r = (1 + nu)/E p a^2/(b^2 - a^2) ((1 - 2 nu) r + b^2/r).
+  const double a = 1., b = 2., pressure = .3;
+  for (const unsigned int degree : {1u, 2u, 3u})
+  {
+    auto description = make_body(Shape::quarter_ring, {a, b}, {{4, 3}});
+    description.degree = degree;
+    description.young_modulus = 2.6;
+    description.poisson_ratio = .3;
+    set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0; "
+                                "inner: pressure: 0.3");
+    Body body(description, {"outer"});
+    std::vector<double> errors;
+    for (int mesh = 0; mesh < 3; ++mesh)
+    {
+      if (mesh == 0)
+        refine_towards(body, {1., 0.}, 2);
+      else
+      {
+        CellMarks all = no_marks(body.space().mesh().triangulation);
+        all.refine.flip();
+        body.adapt(all, {});
+      }
+      ASSERT_TRUE(body.space().has_hanging_nodes());
+      const Eigen::VectorXd u = untouched(body);
+      errors.push_back(distance(body, u, [&](const Vector2 &x) {
+        const double r = x.norm();
+        return Vector2(1.3 / 2.6 * pressure * a * a / (b * b - a * a) * (.4 * r + b * b / r) * x / r);
+      }));
+      const Reactions reactions =
+          body.reactions(body.deformation(Eigen::VectorXd::Zero(body.trace_size()), 0.),
+                         Eigen::VectorXd::Zero(body.trace_size()));
+      EXPECT_LT(reactions.equilibrium_residual, 1e-12);
+    }
+    EXPECT_GT(errors[1] / errors[2], .8 * std::pow(2., degree + 1.)) << degree;
+  }
+}
+
+TEST(ElasticityRefined, ADiscPressedBetweenItsSidesIsInBalance)
+{
+  for (const unsigned int degree : {1u, 2u, 3u})
+  {
+    auto description = make_body(Shape::quarter_disc, {2.}, {{4, 1}});
+    description.degree = degree;
+    description.placement = Placement(1., false, 30., Vector2(1., 2.));
+    set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0; "
+                                "outer: pressure: 0.3*x");
+    Body body(description, {});
+    refine_towards(body, {2., 0.}, 4);
+    ASSERT_TRUE(body.space().has_hanging_nodes());
+    const Reactions reactions = body.reactions(untouched(body), no_forces);
+    EXPECT_LT(reactions.equilibrium_residual, 1e-12);
+    // -int p n: n = (cos t, sin t), x = 2 cos t, r = 2: .3 * 4 * (pi/4, 1/2).
+    const Vector2 applied = description.placement.direction_to_world(Vector2(-.3 * pi, -.6));
+    EXPECT_LT((reactions.applied - applied).norm(), 1e-5);
+  }
+}
