@@ -78,20 +78,33 @@ namespace abut
                                           cell->active_cell_index() < neighbour->active_cell_index());
       }
 
-      double face_factor(const double length) const { return length / (8. * (2. * degree_ + 1.)); }
+      /// The area of a quadrilateral, or of the parallelogram that a triangle is half of.
+      static double size_of(const Cell &cell)
+      {
+        return (cell->n_vertices() == 3 ? 2. : 1.) * cell->measure();
+      }
 
-      /// The residual div sigma_F + f, whose whole is taken for shear, the softer of the two.
+      /// c times the extent of a cell away from a face of the given length.
+      double face_factor(const Cell &cell, const double length) const
+      {
+        return size_of(cell) / length / (8. * (2. * degree_ + 1.));
+      }
+
+      /// The residual div sigma_F + f. What share of it stretches and what share shears it does not tell; it
+      /// is as if the error had the same second derivatives in all directions.
       void add_interior(const Cell &cell)
       {
         interior_.reinit(cell);
-        const double factor = cell->measure() / (2. * degree_ * (degree_ + 1.) * (2. * degree_ + 1.));
+        const double factor = size_of(cell) / (2. * degree_ * (degree_ + 1.) * (2. * degree_ + 1.));
         for (const unsigned int q : interior_.quadrature_point_indices())
         {
           const auto place = interior_.quadrature_point(q);
           const Vector2 residual =
               divergence_at(q) + body_force(solution_.body.description(), Vector2(place[0], place[1]));
           const Vector2 across(-residual.y(), residual.x());
-          squares_[cell->active_cell_index()].add(residual, across.normalized(), material_,
+          const Vector2 direction =
+              (material_.lambda() + 2. * material_.mu()) * residual + material_.mu() * across;
+          squares_[cell->active_cell_index()].add(residual, direction.normalized(), material_,
                                                   factor * interior_.JxW(q));
         }
       }
@@ -115,7 +128,7 @@ namespace abut
       void add_boundary_face(const Cell &cell, const unsigned int f)
       {
         face_.reinit(cell, f);
-        const double factor = 4. * face_factor(cell->face(f)->measure());
+        const double factor = 4. * face_factor(cell, cell->face(f)->measure());
         for (const unsigned int q : face_.quadrature_point_indices())
         {
           const Vector2 normal = normal_at(q);
@@ -134,13 +147,16 @@ namespace abut
         face_.reinit(cell, f);
         neighbour->get_dof_indices(other_dofs_);
         const std::vector<Eigen::Matrix2d> other = gradients_in(neighbour);
-        const double factor = face_factor(cell->face(f)->measure());
+        const double length = cell->face(f)->measure();
+        const double coarse_length = neighbour->level() < cell->level() ? 2. * length : length;
         for (const unsigned int q : face_.quadrature_point_indices())
         {
           const Vector2 normal = normal_at(q);
           const Vector2 jump = traction(stress_at(q) - material_.stress(other[q]), normal);
-          for (const Cell &side : {cell, neighbour})
-            squares_[side->active_cell_index()].add(jump, normal, material_, factor * face_.JxW(q));
+          squares_[cell->active_cell_index()].add(jump, normal, material_,
+                                                  face_factor(cell, length) * face_.JxW(q));
+          squares_[neighbour->active_cell_index()].add(jump, normal, material_,
+                                                       face_factor(neighbour, coarse_length) * face_.JxW(q));
         }
       }
 

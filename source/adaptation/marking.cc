@@ -11,6 +11,8 @@ namespace abut
   {
     using Index = Eigen::Index;
 
+    constexpr double round_off = 1e-9; // eta
+
     /// Cells by falling error; equal ones by index, so that the order is the same everywhere.
     std::vector<std::size_t> by_falling_error(const Eigen::VectorXd &errors)
     {
@@ -22,21 +24,29 @@ namespace abut
       return cells;
     }
 
-    /// How many of the first cells carry the share of the squared error. What symmetry makes equal stays
-    /// together: errors within 1e-6 of the last one's count as equal.
+    /// Moves the end of the first n cells behind those whose errors equal, within 1e-6, that of the n-th.
+    std::size_t with_equal_ones(const Eigen::VectorXd &errors, const std::vector<std::size_t> &cells,
+                                std::size_t n)
+    {
+      if (n == 0)
+        return 0;
+      const double least = (1. - 1e-6) * errors[static_cast<Index>(cells[n - 1])];
+      while (n < cells.size() && errors[static_cast<Index>(cells[n])] >= least)
+        ++n;
+      return n;
+    }
+
+    /// How many of the first cells carry the share of the squared error.
     std::size_t cells_that_carry(const Eigen::VectorXd &errors, const std::vector<std::size_t> &cells,
                                  const double share)
     {
       const double goal = share * errors.squaredNorm();
-      double sum = 0., last = 0.;
+      double sum = 0.;
       std::size_t n = 0;
-      for (; n < cells.size(); ++n)
+      while (n < cells.size() && sum < goal)
       {
-        const double error = errors[static_cast<Index>(cells[n])];
-        if (sum >= goal && !(error >= (1. - 1e-6) * last))
-          break;
+        const double error = errors[static_cast<Index>(cells[n++])];
         sum += error * error;
-        last = error;
       }
       return n;
     }
@@ -58,8 +68,9 @@ namespace abut
     case Marking::threshold:
       for (std::size_t i = 0; i < n; ++i)
       {
-        marks.refine[i] = eta[static_cast<Index>(i)] > parameters.limit;
-        marks.coarsen[i] = eta[static_cast<Index>(i)] < parameters.coarsening * parameters.limit;
+        const double error = eta[static_cast<Index>(i)];
+        marks.refine[i] = error > std::max(parameters.limit, round_off);
+        marks.coarsen[i] = error < parameters.coarsening * parameters.limit;
       }
       return marks;
     case Marking::fixed_fraction:
@@ -72,9 +83,11 @@ namespace abut
         n_kept = cells_that_carry(errors.stress, cells, 1. - parameters.coarsening);
       break;
     }
+    n_split = with_equal_ones(errors.stress, cells, n_split);
+    n_kept = with_equal_ones(errors.stress, cells, std::max(n_split, n_kept));
     for (std::size_t i = 0; i < n_split; ++i)
-      marks.refine[cells[i]] = errors.stress[static_cast<Index>(cells[i])] > 0.;
-    for (std::size_t i = std::max(n_split, n_kept); i < n; ++i)
+      marks.refine[cells[i]] = eta[static_cast<Index>(cells[i])] > round_off;
+    for (std::size_t i = n_kept; i < n; ++i)
       marks.coarsen[cells[i]] = true;
     return marks;
   }

@@ -7,6 +7,8 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
+
 namespace abut
 {
   namespace
@@ -108,9 +110,11 @@ namespace abut
                 solution_.body.material().stress(gradient_at(values, q, dofs_, solution_.deformation));
             const auto p = values.quadrature_point(q);
             const double parts[] = {stress.xx, stress.yy, stress.xy};
+            // xy stands for yx too: the sum of squares is that of the tensor, in whatever frame.
+            const double weights[] = {1., 1., std::sqrt(2.)};
             for (Index k = 0; k < 3; ++k)
               of_cell_[cell->active_cell_index()].push_back(
-                  {Vector2(p[0], p[1]), Eigen::RowVector3d::Unit(k), parts[k]});
+                  {Vector2(p[0], p[1]), weights[k] * Eigen::RowVector3d::Unit(k), weights[k] * parts[k]});
           }
         }
       }

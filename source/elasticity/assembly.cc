@@ -120,7 +120,7 @@ namespace abut
   void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
                     Eigen::VectorXd &load)
   {
-    const GaussRule rule = GaussRule::for_singular_ends(16);
+    const GaussRule rule = GaussRule::for_singular_ends(18);
     for (const Segment &segment : side.segments())
       for (Index q = 0; q < rule.points.size(); ++q)
       {

@@ -137,7 +137,8 @@ namespace abut
   dealii::Quadrature<2> gauss_rule(const Space &space, const unsigned int n_points)
   {
     if (space.mesh().cell_type == CellType::triangles)
-      return dealii::QGaussSimplex<2>(n_points);
+      // Symmetric, where the points of QGaussSimplex depend on the order of the vertices.
+      return dealii::QWitherdenVincentSimplex<2>(n_points);
     return dealii::QGauss<2>(n_points);
   }
 

@@ -8,17 +8,6 @@ using namespace abut;
 
 namespace
 {
-  struct Variant
-  {
-    CellType type;
-    unsigned int degree;
-  };
-  const Variant variants[] = {{CellType::quadrilaterals, 1},
-                              {CellType::quadrilaterals, 2},
-                              {CellType::quadrilaterals, 3},
-                              {CellType::triangles, 1},
-                              {CellType::triangles, 2}};
-
   /// Curved top, graded cells, turned and mirrored.
   BodyDescription distorted(const Variant &variant)
   {

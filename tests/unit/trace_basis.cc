@@ -86,3 +86,22 @@ TEST(TraceBasis, GaussRulesAreExactToTheirDegree)
     EXPECT_NEAR(1. / (2. * n + 1.) - integral(2. * n), miss, 2e-15) << n;
   }
 }
+
+TEST(TraceBasis, RulesForSingularEndsIntegratePolynomials)
+{
+  const GaussRule rule = GaussRule::for_singular_ends(18);
+  for (unsigned int k = 0; k <= 10; ++k)
+    for (const Eigen::ArrayXd &s : {Eigen::ArrayXd(rule.points), Eigen::ArrayXd(1. - rule.points.array())})
+      EXPECT_NEAR((rule.weights.array() * s.pow(static_cast<double>(k))).sum(), 1. / (k + 1.), 1e-13) << k;
+}
+
+TEST(TraceBasis, RulesForSingularEndsIntegrateInverseSquareRoots)
+{
+  // int_0^1 s^(k - 1/2) ds = 1/(k + 1/2), from either end, and both at once: int 1/sqrt(s (1 - s)) = pi.
+  const GaussRule rule = GaussRule::for_singular_ends(18);
+  const Eigen::ArrayXd from_start = rule.points, from_end = 1. - from_start;
+  for (unsigned int k = 0; k <= 5; ++k)
+    for (const Eigen::ArrayXd &s : {from_start, from_end})
+      EXPECT_NEAR((rule.weights.array() * s.pow(k - .5)).sum(), 1. / (k + .5), 1e-13) << k;
+  EXPECT_NEAR((rule.weights.array() / (from_start * from_end).sqrt()).sum(), M_PI, 1e-12);
+}

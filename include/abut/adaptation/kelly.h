@@ -11,11 +11,13 @@ namespace abut
    * balance. D. W. Kelly, J. P. Gago, O. C. Zienkiewicz and I. Babuska, Int. J. Numer. Meth. Engng 19 (1983)
    * 1593.
    *
-   * With the normal and tangential parts t_n, t_t of a jump across a face of length h,
+   * With the normal and tangential parts t_n, t_t of a jump across a face,
    *   error^2 of a cell = sum over its faces of c h int (t_n^2/(lambda + 2 mu) + t_t^2/mu)    (energy norm),
-   * where c makes the estimate exact for squares and polynomials of degree p + 1: c = 1/(8 (2p + 1)) for odd
-   * p. A boundary residual is half a jump. For even p, h^2/(2 p (p+1) (2p+1)) times the like of the residual
-   * div sigma_F + f is added.
+   * where h is the extent of the cell away from the face: its area over the length of the face, twice that
+   * for triangles. c makes the estimate exact for rectangles and solutions of degree p + 1: c = 1/(8 (2p +
+   * 1)) for odd p. A boundary residual is half a jump. For even p, |cell|/(2 p (p + 1) (2p + 1)) times the
+   * like of the residual div sigma_F + f is added (twice that for triangles); how much of it stretches and
+   * shears is guessed.
    */
   class KellyIndicator : public Indicator
   {

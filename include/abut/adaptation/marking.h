@@ -8,7 +8,8 @@ namespace abut
 {
   /**
    * Chooses the cells of one body that are split or may be merged, see `Marking`. `eta`: relative_errors of
-   * `errors`. Cells whose error is zero are never split.
+   * `errors`. Errors that symmetry makes equal are treated alike, also where a share would end between them.
+   * Cells with eta below 1e-9, whose errors are round-off, are never split.
    */
   CellMarks mark(const CellErrors &errors, const Eigen::VectorXd &eta,
                  const AdaptationParameters &parameters);

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Marked cells: the 2:1 rule, the deepest level, what is never merged.
+#include <abut/mesh/cell_marks.h>
+
+#include "mesh_testing.h"
+
+using namespace abut;
+
+namespace
+{
+  using Triangulation = dealii::Triangulation<2>;
+
+  std::unique_ptr<BodyMesh> unit_square(const CellType type, const unsigned int n)
+  {
+    auto body = make_body(Shape::rectangle, {1., 1.}, {{n, n}});
+    body.cell_type = type;
+    return make_mesh(body);
+  }
+
+  void change_mesh(Triangulation &triangulation, const CellMarks &marks)
+  {
+    set_flags(triangulation, marks);
+    triangulation.execute_coarsening_and_refinement();
+  }
+
+  /// The largest difference of levels across an edge, and whether the cells fill the square.
+  int largest_step(const Triangulation &triangulation)
+  {
+    int step = 0;
+    double sum = 0.;
+    for (const auto &cell : triangulation.active_cell_iterators())
+    {
+      sum += cell->measure();
+      for (const unsigned int f : cell->face_indices())
+        if (!cell->at_boundary(f))
+          step = std::max(step, cell->level() - cell->neighbor(f)->level());
+    }
+    EXPECT_NEAR(sum, 1., 1e-12);
+    return step;
+  }
+
+  /// Splits, of the cells of the highest level, the one for which `badness` is largest.
+  template <typename Badness> void split_worst(Triangulation &triangulation, const Badness &badness)
+  {
+    const auto deepest = static_cast<int>(triangulation.n_levels()) - 1;
+    unsigned int worst = 0;
+    double largest = -1.;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->level() == deepest && badness(cell) > largest)
+      {
+        largest = badness(cell);
+        worst = cell->active_cell_index();
+      }
+    CellMarks marks = no_marks(triangulation);
+    marks.refine[worst] = true;
+    change_mesh(triangulation, marks);
+  }
+
+  const CellType both_types[] = {CellType::quadrilaterals, CellType::triangles};
+} // namespace
+
+TEST(MeshMarks, NeighboursDifferByOneLevelWhenAChildNextToACoarseCellIsSplit)
+{
+  for (const CellType type : both_types)
+  {
+    const auto mesh = unit_square(type, 2);
+    for (int pass = 0; pass < 8; ++pass)
+    {
+      split_worst(mesh->triangulation, [](const auto &cell) {
+        double coarser = 0.;
+        for (const unsigned int f : cell->face_indices())
+          coarser += !cell->at_boundary(f) && cell->neighbor(f)->level() < cell->level();
+        return coarser;
+      });
+      EXPECT_LE(largest_step(mesh->triangulation), 1) << pass;
+    }
+    EXPECT_EQ(mesh->triangulation.n_levels(), 9u);
+  }
+}
+
+TEST(MeshMarks, NeighboursDifferByOneLevelTowardsAPlaceInsideACell)
+{
+  // Next to the middle of the square, so that each split reaches into all the coarse cells around it.
+  for (const CellType type : both_types)
+  {
+    const auto mesh = unit_square(type, 2);
+    for (int pass = 0; pass < 10; ++pass)
+    {
+      split_worst(mesh->triangulation, [](const auto &cell) {
+        return 2. - cell->center().distance({.5 + 1e-4, .5 - 2e-4});
+      });
+      EXPECT_LE(largest_step(mesh->triangulation), 1) << pass;
+    }
+  }
+}
+
+TEST(MeshMarks, TheDeepestLevelIsNotSplit)
+{
+  for (const CellType type : both_types)
+  {
+    const auto mesh = unit_square(type, 1);
+    Triangulation &triangulation = mesh->triangulation;
+    for (int pass = 0; pass < 33; ++pass)
+      split_worst(triangulation, [](const auto &cell) { return 2. - cell->center().norm(); });
+    EXPECT_EQ(triangulation.n_levels(), 31u);
+    EXPECT_LE(largest_step(triangulation), 1);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      EXPECT_GT(cell->measure(), 0.);
+  }
+}
+
+TEST(MeshMarks, OnlyQuadrilateralsAreMerged)
+{
+  for (const CellType type : both_types)
+  {
+    const auto mesh = unit_square(type, 2);
+    Triangulation &triangulation = mesh->triangulation;
+    const unsigned int n = triangulation.n_active_cells();
+    change_mesh(triangulation, {std::vector<bool>(n, true), std::vector<bool>(n, false)});
+    EXPECT_EQ(triangulation.n_active_cells(), 4 * n);
+    change_mesh(triangulation, {std::vector<bool>(4 * n, false), std::vector<bool>(4 * n, true)});
+    EXPECT_EQ(triangulation.n_active_cells(), type == CellType::triangles ? 4 * n : n);
+    if (type == CellType::quadrilaterals)
+      // The initial cells cannot be merged: marks on them are no mistake.
+      change_mesh(triangulation, {std::vector<bool>(n, false), std::vector<bool>(n, true)});
+    EXPECT_EQ(triangulation.n_active_cells(), type == CellType::triangles ? 4 * n : n);
+  }
+}
+
+TEST(MeshMarks, TellWhetherThereIsAnythingToDo)
+{
+  const auto mesh = unit_square(CellType::quadrilaterals, 2);
+  CellMarks marks = no_marks(mesh->triangulation);
+  EXPECT_EQ(marks.refine.size(), 4u);
+  EXPECT_FALSE(marks.any());
+  marks.coarsen[3] = true;
+  EXPECT_TRUE(marks.any());
+  marks = no_marks(mesh->triangulation);
+  marks.refine[0] = true;
+  EXPECT_TRUE(marks.any());
+}
