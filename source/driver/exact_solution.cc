@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/driver/corner_reference.h>
 #include <abut/driver/exact_solution.h>
+#include <abut/driver/flat_punch_reference.h>
+#include <abut/driver/hertz_reference.h>
+#include <abut/driver/lame_reference.h>
 #include <abut/driver/layers_reference.h>
 #include <abut/user_error.h>
 
@@ -14,6 +18,14 @@ namespace abut
     case ReferenceParameters::Solution::layers_sliding:
     case ReferenceParameters::Solution::layers_bonded:
       return std::make_unique<LayersReference>(scene);
+    case ReferenceParameters::Solution::hertz:
+      return std::make_unique<HertzReference>(scene);
+    case ReferenceParameters::Solution::lame:
+      return std::make_unique<LameReference>(scene);
+    case ReferenceParameters::Solution::flat_punch:
+      return std::make_unique<FlatPunchReference>(scene);
+    case ReferenceParameters::Solution::corner:
+      return std::make_unique<CornerReference>(scene);
     }
     return {};
   }

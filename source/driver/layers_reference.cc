@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/layers_reference.h>
+#include <abut/driver/scene_checks.h>
 #include <abut/reference/piecewise_pressure.h>
 #include <abut/trace/applied_traction.h>
-#include <abut/user_error.h>
 
 #include <Eigen/LU>
 
@@ -13,65 +13,35 @@ namespace abut
 {
   namespace
   {
-    void require(const bool holds, const std::string &what)
-    {
-      if (!holds)
-        throw UserError("Reference/Exact solution: the two layers do not belong to this scene: " + what);
-    }
-
-    bool agree(const double a, const double b)
-    {
-      return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
-    }
-
-    const Condition *find(const BodyDescription &body, const std::string &boundary, const ConditionKind kind)
-    {
-      for (const Condition &condition : body.conditions)
-        if (condition.boundary == boundary && condition.kind == kind)
-          return &condition;
-      return nullptr;
-    }
-
-    double constant(const BodyDescription &body, const std::string &face, const Expression &value)
-    {
-      require(value.is_constant(), "the displacement of " + body.name + ":" + face + " must be a constant");
-      return value(Vector2::Zero());
-    }
-
     /// The inward displacement of a face that slides, one number all along it.
-    double sliding_approach(const BodyDescription &body, const std::string &face)
+    double sliding_approach(const SceneChecks &checks, const BodyDescription &body, const std::string &face)
     {
-      if (const auto *const condition = find(body, face, ConditionKind::displacement_y))
-        return (face == "top" ? -1. : 1.) * constant(body, face, condition->expressions.front());
-      const auto *const condition = find(body, face, ConditionKind::normal_displacement);
-      require(condition != nullptr, "the sliding face " + body.name + ":" + face +
-                                        " needs the condition 'displacement y' or 'normal displacement'");
-      return -constant(body, face, condition->expressions.front());
+      if (const auto *const condition = find_condition(body, face, ConditionKind::displacement_y))
+        return (face == "top" ? -1. : 1.) * checks.constant(body, *condition);
+      const auto *const condition = find_condition(body, face, ConditionKind::normal_displacement);
+      checks.require(condition != nullptr,
+                     "the sliding face " + body.name + ":" + face +
+                         " needs the condition 'displacement y' or 'normal displacement'");
+      return -checks.constant(body, *condition);
     }
 
     /// The same for a face that is held along itself.
-    double bonded_approach(const BodyDescription &body, const std::string &face)
+    double bonded_approach(const SceneChecks &checks, const BodyDescription &body, const std::string &face)
     {
-      const auto *const condition = find(body, face, ConditionKind::displacement);
-      require(condition != nullptr && constant(body, face, condition->expressions.front()) == 0.,
-              "the bonded face " + body.name + ":" + face +
-                  " needs the condition 'displacement' (0 along x)");
-      return (face == "top" ? -1. : 1.) * constant(body, face, condition->expressions.back());
+      const auto *const condition = find_condition(body, face, ConditionKind::displacement);
+      checks.require(condition != nullptr && checks.constant(body, *condition) == 0.,
+                     "the bonded face " + body.name + ":" + face +
+                         " needs the condition 'displacement' (0 along x)");
+      return (face == "top" ? -1. : 1.) * checks.constant(body, *condition, 1);
     }
 
-    void check_body(const BodyDescription &body, const std::string &contact_side)
+    void check_layer(const SceneChecks &checks, const BodyDescription &body, const std::string &contact_side)
     {
-      require(body.shape == Shape::rectangle && (contact_side == "top" || contact_side == "bottom"),
-              "body " + body.name + " must be a rectangle with contact on its top or bottom");
-      require(body.body_force.empty(), "body " + body.name + " has a body force");
+      checks.require(body.shape == Shape::rectangle && (contact_side == "top" || contact_side == "bottom"),
+                     "body " + body.name + " must be a rectangle with contact on its top or bottom");
       for (const std::string side : {"left", "right"})
-      {
-        const Condition *const roller = find(body, side, ConditionKind::normal_displacement);
-        require(roller != nullptr && roller->expressions.front().is_constant() &&
-                    roller->expressions.front()(Vector2::Zero()) == 0.,
-                body.name + ":" + side + " needs a roller (normal displacement: 0)");
-      }
-      require(body.conditions.size() == 3, "body " + body.name + " has further conditions");
+        checks.require_roller(body, side);
+      checks.require_no_further_conditions(body, 3);
     }
 
     /// The contact side of a body from its end x = 0 to the other one, in the plane.
@@ -83,17 +53,33 @@ namespace abut
                body.placement.point_to_world(Vector2(body.size[0], y))}};
     }
 
-    void check_places(const Scene &scene, const ContactDescription &contact)
+    void check_places(const SceneChecks &checks, const Scene &scene, const ContactDescription &contact)
     {
       const auto slave = contact_line(scene, contact.slave), master = contact_line(scene, contact.master);
       const double distance = std::max((slave[0] - master[0]).norm(), (slave[1] - master[1]).norm());
-      require(distance <= 1e-9 * (slave[1] - slave[0]).norm(),
-              "the two contact sides must lie on one another, x = 0 on x = 0");
+      checks.require(distance <= 1e-9 * (slave[1] - slave[0]).norm(),
+                     "the two contact sides must lie on one another, x = 0 on x = 0");
+    }
+
+    void check_gap(const SceneChecks &checks, const Scene &scene, const LayersContactData &data)
+    {
+      const ContactDescription &contact = scene.contacts.front();
+      checks.require(contact.gap.has_value(), "Contact " + contact.name + "/Gap must be an expression");
+      const double y =
+          contact.slave.boundary == "top" ? scene.bodies[scene.body_index(contact.slave.body)].size[1] : 0.;
+      for (const double share : {0., .13, .5, .77, 1.})
+      {
+        const double x = share * data.length;
+        checks.require(std::abs((*contact.gap)(Vector2(x, y)) - data.gap_curvature * x * x) <=
+                           1e-9 * data.approach,
+                       "Contact " + contact.name + "/Gap differs from Reference/Gap curvature x^2");
+      }
     }
 
     LayersContactData make_data(const Scene &scene)
     {
-      require(scene.bodies.size() == 2 && scene.contacts.size() == 1, "it needs two bodies and one contact");
+      const SceneChecks checks(scene.reference);
+      checks.require_pair(scene);
       const ContactDescription &contact = scene.contacts.front();
       LayersContactData data{};
       double approach = 0.;
@@ -101,30 +87,22 @@ namespace abut
       {
         const std::size_t index = scene.body_index(side.body);
         const BodyDescription &body = scene.bodies[index];
-        check_body(body, side.boundary);
+        check_layer(checks, body, side.boundary);
         const bool bonded = scene.reference.solution == ReferenceParameters::Solution::layers_bonded;
         data.layers[index] = {body.young_modulus, body.poisson_ratio, body.size[1],
                               bonded ? Layer::Base::bonded : Layer::Base::sliding};
         const std::string face = side.boundary == "top" ? "bottom" : "top";
-        approach += bonded ? bonded_approach(body, face) : sliding_approach(body, face);
+        approach += bonded ? bonded_approach(checks, body, face) : sliding_approach(checks, body, face);
       }
       data.length = scene.bodies[0].size[0];
-      require(agree(data.length, scene.bodies[1].size[0]), "the two bodies must have the same width");
-      check_places(scene, contact);
+      checks.require(agree(data.length, scene.bodies[1].size[0]), "the two bodies must have the same width");
+      check_places(checks, scene, contact);
       data.gap_curvature = scene.reference.gap_curvature;
       data.approach = scene.reference.approach;
-      require(agree(approach, data.approach),
-              "the faces approach by " + std::to_string(approach) +
-                  ", not by Reference/Approach = " + std::to_string(data.approach));
-      require(contact.gap.has_value(), "Contact " + contact.name + "/Gap must be an expression");
-      const double y =
-          contact.slave.boundary == "top" ? scene.bodies[scene.body_index(contact.slave.body)].size[1] : 0.;
-      for (const double share : {0., .13, .5, .77, 1.})
-      {
-        const double x = share * data.length;
-        require(std::abs((*contact.gap)(Vector2(x, y)) - data.gap_curvature * x * x) <= 1e-9 * data.approach,
-                "Contact " + contact.name + "/Gap differs from Reference/Gap curvature x^2");
-      }
+      checks.require(agree(approach, data.approach),
+                     "the faces approach by " + std::to_string(approach) +
+                         ", not by Reference/Approach = " + std::to_string(data.approach));
+      check_gap(checks, scene, data);
       return data;
     }
 

@@ -4,23 +4,73 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+
 namespace abut
 {
   namespace
   {
-    const Choices<ReferenceParameters::Solution> reference_solutions{
-        {"none", ReferenceParameters::Solution::none},
-        {"layers sliding", ReferenceParameters::Solution::layers_sliding},
-        {"layers bonded", ReferenceParameters::Solution::layers_bonded}};
+    using Solution = ReferenceParameters::Solution;
 
-    double positive_constant(const dealii::ParameterHandler &prm, const std::string &entry,
-                             const Constants &constants)
+    const Choices<Solution> reference_solutions{{"none", Solution::none},
+                                                {"layers sliding", Solution::layers_sliding},
+                                                {"layers bonded", Solution::layers_bonded},
+                                                {"hertz", Solution::hertz},
+                                                {"lame", Solution::lame},
+                                                {"flat punch", Solution::flat_punch},
+                                                {"corner", Solution::corner}};
+
+    /// A number above 0 that some of the solutions need.
+    struct ReferenceDatum
     {
-      const std::string where = "Reference/" + entry;
-      const double value = constant_value(prm.get(entry), constants, where);
+      std::string entry;
+      double ReferenceParameters::*value;
+      std::vector<Solution> needed_by;
+      std::string documentation; ///< without its end, the unit
+      std::string unit;
+    };
+
+    const std::vector<ReferenceDatum> reference_data{
+        {"Approach",
+         &ReferenceParameters::approach,
+         {Solution::layers_sliding, Solution::layers_bonded},
+         "layers: how far the outer faces approach each other",
+         "Length"},
+        {"Gap curvature",
+         &ReferenceParameters::gap_curvature,
+         {Solution::layers_sliding, Solution::layers_bonded},
+         "layers: r of the gap r x^2",
+         "1 / length"},
+        {"Force",
+         &ReferenceParameters::force,
+         {Solution::hertz, Solution::flat_punch},
+         "hertz, flat punch: P, what presses the bodies together; the whole of it where the scene is one "
+         "half",
+         "Force / thickness"},
+        {"Radius",
+         &ReferenceParameters::radius,
+         {Solution::hertz},
+         "hertz: R of 1/R = 1/R_1 + 1/R_2, in the plane; the gap is x^2/(2R)",
+         "Length"},
+        {"Half width",
+         &ReferenceParameters::half_width,
+         {Solution::flat_punch},
+         "flat punch: a, half of the punch's width",
+         "Length"},
+        {"Amplitude",
+         &ReferenceParameters::amplitude,
+         {Solution::corner},
+         "corner: K of the stress K r^(alpha - 1) across the bisector, alpha = 0.54448",
+         "Force / area length^(alpha - 1)"}};
+
+    double positive_constant(const dealii::ParameterHandler &prm, const ReferenceDatum &datum,
+                             const Solution solution, const Constants &constants)
+    {
+      const std::string where = "Reference/" + datum.entry;
+      const double value = constant_value(prm.get(datum.entry), constants, where);
       if (!(value > 0.))
-        throw UserError(where + ": received `" + prm.get(entry) +
-                        "`, the solution of two layers needs a number above 0");
+        throw UserError(where + ": received `" + prm.get(datum.entry) + "`, the solution " +
+                        to_string(solution) + " needs a number above 0");
       return value;
     }
   } // namespace
@@ -32,23 +82,29 @@ namespace abut
         "Exact solution", "none", Patterns::Selection(words_of(reference_solutions)),
         "Exact solution with which results are compared. layers sliding: two layers with sliding "
         "faces and roller ends, pressed together over a quadratic gap. layers bonded: the same with faces "
-        "that "
-        "do not slide.");
-    prm.declare_entry("Approach", "0", Patterns::Anything(),
-                      "layers: how far the outer faces approach each other, a formula of constants. "
-                      "Length.");
-    prm.declare_entry("Gap curvature", "0", Patterns::Anything(),
-                      "layers: r of the gap r x^2, a formula of constants. 1 / length.");
+        "that do not slide. hertz: contact of half-planes, the pressure and its resultant. lame: a disc or "
+        "ring shrunk into a ring. flat punch: a half-plane, cut out as a rectangle, under a rigid punch. "
+        "corner: the singular field of an L-shape. A scene that is not the solution's is refused.");
+    for (const ReferenceDatum &datum : reference_data)
+      prm.declare_entry(datum.entry, "0", Patterns::Anything(),
+                        datum.documentation + ". A formula of constants. " + datum.unit + ".");
   }
 
   ReferenceParameters ReferenceParameters::parse(dealii::ParameterHandler &prm, const Constants &constants)
   {
     ReferenceParameters reference;
     reference.solution = choose(reference_solutions, prm.get("Exact solution"), "Reference/Exact solution");
-    if (reference.solution == Solution::none)
-      return reference;
-    reference.approach = positive_constant(prm, "Approach", constants);
-    reference.gap_curvature = positive_constant(prm, "Gap curvature", constants);
+    for (const ReferenceDatum &datum : reference_data)
+      if (std::find(datum.needed_by.begin(), datum.needed_by.end(), reference.solution) !=
+          datum.needed_by.end())
+        reference.*datum.value = positive_constant(prm, datum, reference.solution, constants);
     return reference;
+  }
+
+  std::string to_string(const ReferenceParameters::Solution solution)
+  {
+    return std::find_if(reference_solutions.begin(), reference_solutions.end(),
+                        [&](const auto &entry) { return entry.second == solution; })
+        ->first;
   }
 } // namespace abut

@@ -3,6 +3,8 @@
 
 #include <abut/scene/expression.h>
 
+#include <string>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -18,14 +20,25 @@ namespace abut
       none,
       layers_sliding, ///< two layers with sliding faces and roller ends, pressed by `Approach`, gap `Gap
                       ///< curvature` x^2
-      layers_bonded   ///< the same with faces that are held along themselves
+      layers_bonded,  ///< the same with faces that are held along themselves
+      hertz,          ///< two half-planes, `Force`, composite radius `Radius`
+      lame,           ///< a disc or ring shrunk into a ring
+      flat_punch,     ///< a half-plane under the pressure of a rigid punch, `Half width`, `Force`
+      corner          ///< the singular field of an L-shape, `Amplitude`
     };
     Solution solution = Solution::none;
     double approach = 0.;
     double gap_curvature = 0.;
+    double force = 0.; ///< of the whole contact, where a scene has half of it too
+    double radius = 0.;
+    double half_width = 0.;
+    double amplitude = 0.;
 
     static void declare(dealii::ParameterHandler &prm);
     /// Reads the section the handler stands in. Throws UserError.
     static ReferenceParameters parse(dealii::ParameterHandler &prm, const Constants &constants);
   };
+
+  /// The name used in the parameter file.
+  std::string to_string(ReferenceParameters::Solution solution);
 } // namespace abut
