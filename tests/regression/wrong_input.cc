@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "program.h"
-#include <algorithm>
-#include <filesystem>
 
 namespace
 {
   using abut::testing::Answer;
+  using abut::testing::expect_refused;
   using abut::testing::project_file;
   using abut::testing::run;
   using abut::testing::run_scene;
@@ -200,16 +199,6 @@ end
     std::vector<std::string> arguments = {temporary_file("scene.prm", content)};
     arguments.insert(arguments.end(), mistake.options.begin(), mistake.options.end());
     return run(arguments);
-  }
-
-  void expect_refused(const Answer &answer, const std::vector<std::string> &expected)
-  {
-    EXPECT_EQ(answer.status, 1);
-    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-    for (const std::string &phrase : expected)
-      EXPECT_NE(answer.err.find(phrase), std::string::npos)
-          << "'" << phrase << "' is missing in: " << answer.err;
-    EXPECT_FALSE(std::filesystem::exists(answer.directory)) << "something was written";
   }
 
   class WrongInput : public ::testing::TestWithParam<Mistake>
