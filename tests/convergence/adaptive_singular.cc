@@ -24,6 +24,22 @@ namespace
     double least_effectivity, most_effectivity;
   };
 
+  struct UniformCase
+  {
+    SingularScene scene;
+    unsigned int degree;
+  };
+
+  std::ostream &operator<<(std::ostream &out, const AdaptiveCase &given)
+  {
+    return out << given.scene.name << ", degree " << given.degree << ", " << given.estimator;
+  }
+
+  std::ostream &operator<<(std::ostream &out, const UniformCase &given)
+  {
+    return out << given.scene.name << ", degree " << given.degree;
+  }
+
   std::string title(const SingularScene &scene, const unsigned int degree, const std::string &meshes)
   {
     return scene.name + ", degree " + std::to_string(degree) + ", " + meshes +
@@ -73,8 +89,6 @@ namespace
     return given.scene.name + "Degree" + std::to_string(given.degree) + "By" + given.estimator;
   });
 
-  using UniformCase = std::pair<SingularScene, unsigned int>;
-
   class Uniform : public ::testing::TestWithParam<UniformCase>
   {};
 
@@ -94,7 +108,7 @@ namespace
                            ::testing::Values(UniformCase{punch_edge, 1}, UniformCase{punch_edge, 2},
                                              UniformCase{notch, 1}, UniformCase{notch, 2}),
                            [](const auto &parameter) {
-                             return parameter.param.first.name + "Degree" +
-                                    std::to_string(parameter.param.second);
+                             return parameter.param.scene.name + "Degree" +
+                                    std::to_string(parameter.param.degree);
                            });
 } // namespace

@@ -21,6 +21,11 @@ namespace
     std::vector<std::string> expected; ///< what the message must contain
   };
 
+  std::ostream &operator<<(std::ostream &out, const OtherScene &other)
+  {
+    return out << other.name;
+  }
+
   const std::string punch_sides =
       "Body ground/Conditions=left: normal displacement: 0; right: displacement: exact; bottom: "
       "displacement: exact; ";
@@ -140,6 +145,29 @@ namespace
        {"Contact fit/Gap=-overlap*(1 + x)"},
        {"lame", "Contact fit/Gap"}}};
 
+  const std::vector<OtherScene> layers = {
+      {"layers_out_of_line",
+       "two-layers-rollers",
+       {"Body upper/Shift=1, 1"},
+       {"layers sliding", "x = 0 on x = 0"}},
+      {"layers_of_two_sizes",
+       "two-layers-rollers",
+       {"Body upper/Scale=2"},
+       {"layers sliding", "x = 0 on x = 0"}},
+      {"layers_between_bent_rollers",
+       "two-layers-rollers",
+       {"Body lower/Conditions=left: normal displacement: 1e-3*y; right: normal displacement: 0; bottom: "
+        "normal displacement: 0"},
+       {"layers sliding", "lower:left", "constant"}},
+      {"layers_of_another_approach",
+       "two-layers-rollers",
+       {"Constants/Values=1e-3, 1.4e-3", "Reference/Approach=1.366e-3"},
+       {"layers sliding", "0.001400", "Reference/Approach = 0.001366"}},
+      {"layers_of_another_gap",
+       "two-layers-rollers",
+       {"Contact interface/Gap=r0*x^2 + 1e-5*x"},
+       {"layers sliding", "Contact interface/Gap"}}};
+
   class WrongReference : public ::testing::TestWithParam<OtherScene>
   {};
 
@@ -155,5 +183,6 @@ namespace
   INSTANTIATE_TEST_SUITE_P(Punches, WrongReference, ::testing::ValuesIn(punches), name_of);
   INSTANTIATE_TEST_SUITE_P(Corners, WrongReference, ::testing::ValuesIn(corners), name_of);
   INSTANTIATE_TEST_SUITE_P(Conditions, WrongReference, ::testing::ValuesIn(conditions), name_of);
+  INSTANTIATE_TEST_SUITE_P(Layers, WrongReference, ::testing::ValuesIn(layers), name_of);
   INSTANTIATE_TEST_SUITE_P(Contacts, WrongReference, ::testing::ValuesIn(contacts), name_of);
 } // namespace
