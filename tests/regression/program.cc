@@ -77,6 +77,16 @@ namespace abut::testing
     return run(arguments);
   }
 
+  void expect_refused(const Answer &answer, const std::vector<std::string> &phrases)
+  {
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    for (const std::string &phrase : phrases)
+      EXPECT_NE(answer.err.find(phrase), std::string::npos)
+          << "'" << phrase << "' is missing in: " << answer.err;
+    EXPECT_FALSE(std::filesystem::exists(answer.directory)) << "something was written";
+  }
+
   std::string project_file(const std::string &name)
   {
     return std::string(ABUT_SOURCE_DIR) + "/" + name;

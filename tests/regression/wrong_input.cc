@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "program.h"
-#include <algorithm>
-#include <filesystem>
 
 namespace
 {
   using abut::testing::Answer;
+  using abut::testing::expect_refused;
   using abut::testing::project_file;
   using abut::testing::run;
   using abut::testing::run_scene;
@@ -46,6 +45,11 @@ end
     std::vector<std::string> options;
     std::vector<std::string> expected; ///< what the message must contain
   };
+
+  std::ostream &operator<<(std::ostream &out, const Mistake &mistake)
+  {
+    return out << mistake.name;
+  }
 
   const std::string lower_supports = "left: normal displacement: 0; bottom: normal displacement: 0";
 
@@ -202,16 +206,6 @@ end
     return run(arguments);
   }
 
-  void expect_refused(const Answer &answer, const std::vector<std::string> &expected)
-  {
-    EXPECT_EQ(answer.status, 1);
-    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-    for (const std::string &phrase : expected)
-      EXPECT_NE(answer.err.find(phrase), std::string::npos)
-          << "'" << phrase << "' is missing in: " << answer.err;
-    EXPECT_FALSE(std::filesystem::exists(answer.directory)) << "something was written";
-  }
-
   class WrongInput : public ::testing::TestWithParam<Mistake>
   {};
 
@@ -242,16 +236,10 @@ end
     expect_refused(run({"nowhere.prm"}), {"nowhere.prm"});
   }
 
-  /// A scene of the project with overrides that make it wrong.
-  void expect_scene_refused(const std::string &scene, const std::vector<std::string> &overrides,
-                            const std::vector<std::string> &expected)
-  {
-    expect_refused(run_scene(scene, overrides), expected);
-  }
-
   TEST(WrongInput, ChordsForTheGapOfCurves)
   {
-    expect_scene_refused("shrink-fit", {"Body disc/Cell type=triangles"}, {"geometry", "disc", "chords"});
+    expect_refused(run_scene("shrink-fit", {"Body disc/Cell type=triangles"}),
+                   {"geometry", "disc", "chords"});
   }
 
   TEST(WrongInput, TrianglesOfDegreeThreeFromAFile)
@@ -259,19 +247,6 @@ end
     expect_refused(run({temporary_file("scene.prm", good_file), "--set", "Body lower/Degree=3", "--set",
                         "Body lower/Mesh file=" + project_file("tests/data/triangles_4_1.msh")}),
                    {"Body lower", "degree 3", "triangles"});
-  }
-
-  TEST(WrongInput, ExactSolutionOfAnotherScene)
-  {
-    const std::vector<std::string> expected = {"layers sliding"};
-    expect_scene_refused("two-layers-rollers", {"Body upper/Shift=1, 1"}, expected);
-    expect_scene_refused("two-layers-rollers", {"Body upper/Scale=2"}, expected);
-    expect_scene_refused("two-layers-rollers",
-                         {"Body lower/Conditions=left: normal displacement: 1e-3*y; right: normal "
-                          "displacement: 0; bottom: normal displacement: 0"},
-                         expected);
-    expect_scene_refused("two-layers-rollers",
-                         {"Constants/Values=1e-3, 1.4e-3", "Reference/Approach=1.366e-3"}, expected);
   }
 
   TEST(WrongInput, MeshOfTrianglesAndQuadrilaterals)
