@@ -115,8 +115,7 @@ namespace abut
       iteration.increment = relative_change(problem, iteration.iterate, response);
       iteration.stopped_by =
           scene_.decomposition.stopping_rule == StoppingRule::bound ? StoppedBy::bound : StoppedBy::increment;
-      const double norm =
-          reference_norm(problem, loads, pressures, problem.observe(traces(bodies(), solved)));
+      const double norm = reference_norm(problem, loads, state.pressures, response);
       if (state_is_field_)
         iteration.iteration_error = relative(energy_distance(bodies(), solved, state.displacements), norm);
       if (observer.step)

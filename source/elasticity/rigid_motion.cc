@@ -39,7 +39,10 @@ namespace abut
       return motions;
     const auto split = [&](Eigen::VectorXd &prescribed) -> Eigen::VectorXd {
       const Eigen::VectorXd amounts = fit.solve(prescribed);
+      // What the fit leaves of a motion that is rigid is round-off: it must not look like a stress.
+      const double round_off = 1e-13 * prescribed.lpNorm<Eigen::Infinity>();
       prescribed -= supported * amounts;
+      prescribed = (prescribed.array().abs() > round_off).select(prescribed, 0.).eval();
       return modes * amounts;
     };
     motions.fixed = split(supports.fixed);

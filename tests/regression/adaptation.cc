@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Scenes whose meshes follow the error, run through the command line.
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include <cmath>
+
+namespace
+{
+  using abut::testing::Answer;
+  using abut::testing::column;
+  using abut::testing::project_file;
+  using abut::testing::run;
+  using abut::testing::run_scene;
+  using Overrides = std::vector<std::string>;
+
+  Overrides operator+(Overrides a, const Overrides &b)
+  {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+
+  const Overrides both_adapt = {"Body upper/Adapt=true", "Body lower/Adapt=true", "Adaptation/Estimator=spr"};
+  const Overrides coarse = {"Body upper/Cells=16, 4", "Body lower/Cells=16, 4",
+                            "Contact interface/Penalty coefficient=5e-3"};
+
+  /// A parabola of curvature 0.05 pressed by 2e-5 into layers of four cells: contact on some 0.03 of a cell's
+  /// width of 1, with its middle at x = 0.37.
+  Overrides contact_in_a_cell(const std::string &middle)
+  {
+    return {"Constants/Values=0.05, 2e-5",
+            "Contact interface/Gap=r0*(x-" + middle + ")^2",
+            "Body upper/Cells=4, 1",
+            "Body lower/Cells=4, 1",
+            "Decomposition/Stopping rule=bound",
+            "Decomposition/Initial guess=elastic layer response",
+            "Decomposition/Relaxation=automatic",
+            "Decomposition/Tolerance=1e-6"};
+  }
+
+  void expect_balance(const Answer &answer)
+  {
+    for (const auto &body : answer.summary["bodies"])
+      EXPECT_LT(body["equilibrium_residual"].get<double>(), 1e-10) << body["name"];
+  }
+} // namespace
+
+TEST(Adaptation, TenPassesLeaveDisplacementTractionAndForcesConsistent)
+{
+  const Answer answer =
+      run_scene("two-layers-rollers", coarse + both_adapt + Overrides{"Adaptation/Coarsening=0.02"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(answer.summary["passes"], 10);
+  EXPECT_EQ(answer.summary["stopped_by"], "maximum passes");
+  expect_balance(answer);
+  // The supports carry what the contact presses with, and on both sides the same.
+  const double force = answer.summary["contacts"][0]["normal_force"];
+  EXPECT_NEAR(answer.summary["bodies"][0]["reactions"]["top"][1].get<double>(), -force, 1e-9 * force);
+  EXPECT_NEAR(answer.summary["bodies"][1]["reactions"]["bottom"][1].get<double>(), force, 1e-9 * force);
+  EXPECT_LT(answer.summary["true_error"]["energy"].get<double>(), .013);
+  EXPECT_NEAR(answer.summary["error"]["effectivity"].get<double>(), 1., .05);
+}
+
+TEST(Adaptation, ABodyThatDoesNotAdaptIsNeitherRebuiltNorFactorisedAgain)
+{
+  const Answer answer =
+      run_scene("two-layers-rollers", coarse + Overrides{"Body lower/Adapt=true", "Adaptation/Estimator=zz",
+                                                         "Adaptation/Maximum passes=4"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto &bodies = answer.summary["counters"]["bodies"];
+  for (const std::string counter : {"meshes", "assemblies", "factorisations"})
+  {
+    EXPECT_EQ(bodies["upper"][counter], 1) << counter;
+    EXPECT_EQ(bodies["lower"][counter], 4) << counter;
+  }
+}
+
+TEST(Adaptation, BodiesThatNeverTouchConvergeWithoutPressure)
+{
+  const Answer answer =
+      run_scene("two-layers", both_adapt + Overrides{"Contact interface/Gap=0.5", "Adaptation/Limit=0.1",
+                                                     "Decomposition/Stopping rule=bound",
+                                                     "Decomposition/Initial guess=elastic layer response"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(answer.summary["status"], "converged");
+  EXPECT_EQ(answer.summary["stopped_by"], "limit");
+  EXPECT_EQ(answer.summary["passes"], 1);
+  EXPECT_EQ(answer.summary["contacts"][0]["normal_force"], 0.);
+  EXPECT_EQ(answer.summary["error"]["eta_max"], 0.);
+}
+
+TEST(Adaptation, ContactSmallerThanACellIsFound)
+{
+  // The curvature is so large that the bodies are half-planes for the contact: Hertz with the radius 1/(2 r0)
+  // relates force, half-width and peak by p0 = 2 P/(pi a), and a = pi p0 R/(2 E*) with 1/E* = 2 (1 - nu^2)/E.
+  for (const std::string middle : {"0.5", "0.37", "0.58"})
+  {
+    const Answer answer = run_scene("two-layers", contact_in_a_cell(middle) + both_adapt +
+                                                      Overrides{"Adaptation/Maximum passes=14"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const auto &contact = answer.summary["contacts"][0];
+    EXPECT_EQ(contact["missed_contact"], 0);
+    const double peak = contact["max_pressure"], modulus = 2.1e5 / (2. * .91);
+    const double half_width = 2. * peak * 10. / modulus; // p0 = a E*/(2 R)
+    EXPECT_GT(peak, 10.);
+    EXPECT_NEAR(contact["normal_force"].get<double>(), std::acos(-1.) / 2. * peak * half_width,
+                .05 * contact["normal_force"].get<double>())
+        << "middle at " << middle;
+    expect_balance(answer);
+  }
+}
+
+TEST(Adaptation, ContactSmallerThanACellIsNotSilentlyMissedOnAFixedMesh)
+{
+  const Answer answer = run_scene("two-layers", contact_in_a_cell("0.5"));
+  EXPECT_EQ(answer.summary["contacts"][0]["missed_contact"], 1);
+  EXPECT_EQ(answer.summary["warnings"].size(), 1u);
+  EXPECT_NE(answer.err.find("contact smaller than a cell"), std::string::npos) << answer.err;
+}
+
+TEST(Adaptation, TheLimitEndsTheRunOrStatusTwoDoes)
+{
+  const Overrides limit = {"Adaptation/Limit=0.2", "Adaptation/Marking=threshold"};
+  const Answer reached = run_scene("two-layers-rollers", coarse + both_adapt + limit);
+  ASSERT_EQ(reached.status, 0) << reached.err;
+  EXPECT_EQ(reached.summary["stopped_by"], "limit");
+  EXPECT_LE(reached.summary["error"]["eta_max"].get<double>(), .2);
+
+  const Answer missed =
+      run_scene("two-layers-rollers", coarse + both_adapt + limit + Overrides{"Adaptation/Maximum passes=2"});
+  EXPECT_EQ(missed.status, 2);
+  EXPECT_EQ(missed.summary["status"], "not converged");
+  EXPECT_EQ(missed.summary["stopped_by"], "maximum passes");
+  EXPECT_NE(missed.err.find("Adaptation/Limit = 0.2"), std::string::npos) << missed.err;
+}
+
+TEST(Adaptation, TheCombinedAlgorithmEndsWhenBothTestsHold)
+{
+  // The paper's scene and parameters, its body 2 adapting; the literal guess and the increment rule.
+  const Overrides combined = {"Body lower/Adapt=true",       "Body lower/Cells=16, 4",
+                              "Adaptation/Estimator=zz",     "Adaptation/Combined=true",
+                              "Adaptation/Limit=0.3",        "Adaptation/Marking=threshold",
+                              "Adaptation/Maximum passes=60"};
+  const Answer answer = run_scene("two-layers", combined);
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(answer.summary["stopped_by"], "limit");
+  EXPECT_EQ(answer.summary["passes"], answer.summary["steps"]);
+  const auto &last = answer.summary["pass_table"].back();
+  EXPECT_LE(last["eta_max"].get<double>(), .3);
+  EXPECT_LE(last["increment"].get<double>(), .0015);
+  const auto &before = answer.summary["pass_table"][answer.summary["passes"].get<std::size_t>() - 2];
+  EXPECT_TRUE(before["eta_max"].get<double>() > .3 || before["increment"].get<double>() > .0015);
+  EXPECT_EQ(answer.summary["counters"]["bodies"]["upper"]["factorisations"], 1);
+  expect_balance(answer);
+}
+
+TEST(Adaptation, TheCombinedAlgorithmHasTheLimitOfTheDecompositionOnAFixedMesh)
+{
+  // Where no cell is split, its passes are the steps of the parallel Neumann scheme.
+  const Overrides bound = {"Decomposition/Stopping rule=bound", "Decomposition/Tolerance=1e-4",
+                           "Decomposition/Initial guess=elastic layer response"};
+  const Answer steps = run_scene("two-layers", bound);
+  const Answer passes = run_scene(
+      "two-layers", bound + both_adapt +
+                        Overrides{"Adaptation/Combined=true", "Adaptation/Limit=1e3",
+                                  "Adaptation/Marking=threshold", "Adaptation/Maximum passes=1000"});
+  ASSERT_EQ(steps.status, 0) << steps.err;
+  ASSERT_EQ(passes.status, 0) << passes.err;
+  EXPECT_NEAR(steps.summary["steps"].get<int>(), passes.summary["passes"].get<int>(), 1);
+  const auto a = column(steps.directory + "/history.csv", "error_iteration");
+  const auto b = column(passes.directory + "/history.csv", "error_iteration");
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += 20)
+    EXPECT_NEAR(a[i], b[i], 1e-6 * a[i]) << "step " << i + 1;
+}
+
+TEST(Adaptation, TurningMirroringAndUnitsChangeNoMesh)
+{
+  const Overrides passes =
+      coarse + both_adapt + Overrides{"Adaptation/Maximum passes=5", "Reference/Exact solution=none"};
+  const Answer plain = run_scene("two-layers-rollers", passes);
+  const Answer moved = run_scene(
+      "two-layers-rollers", passes + Overrides{"Body upper/Rotation angle=90", "Body lower/Rotation angle=90",
+                                               "Body upper/Scale=1e-3", "Body lower/Scale=1e-3",
+                                               "Body upper/Shift=4.999, 7", "Body lower/Shift=5, 7"});
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  ASSERT_EQ(moved.status, 0) << moved.err;
+  for (const std::size_t body : {0u, 1u})
+    EXPECT_EQ(plain.summary["bodies"][body]["cells"], moved.summary["bodies"][body]["cells"]);
+  const double force = plain.summary["contacts"][0]["normal_force"];
+  EXPECT_NEAR(moved.summary["contacts"][0]["normal_force"].get<double>(), 1e-3 * force, 1e-9 * force);
+}
+
+TEST(Adaptation, TrianglesAndHigherDegreesAdaptToo)
+{
+  for (const std::string change :
+       {"Body upper/Cell type=triangles", "Discretisation/Degree=2", "Discretisation/Degree=3"})
+  {
+    const Answer answer = run_scene("two-layers-rollers",
+                                    coarse + both_adapt + Overrides{"Adaptation/Maximum passes=5", change});
+    ASSERT_EQ(answer.status, 0) << change << ": " << answer.err;
+    const auto &table = answer.summary["pass_table"];
+    EXPECT_LT(table[4]["true_error_energy"].get<double>(), .6 * table[0]["true_error_energy"].get<double>())
+        << change;
+    expect_balance(answer);
+  }
+}
+
+TEST(Adaptation, AStudyPrintsAndWritesEveryPassOfEveryVariant)
+{
+  const Answer answer =
+      run({"study", project_file("prm/two-layers-rollers.prm"), "--set",
+           "Study/Variants=a: Adaptation/Estimator=zz; b: Adaptation/Estimator=kelly", "--set",
+           "Study/Crossed with=two: Adaptation/Maximum passes=2; three: Adaptation/Maximum passes=3"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto unknowns = column(answer.directory + "/study.csv", "dofs");
+  EXPECT_EQ(unknowns.size(), 10u);
+  for (const std::string name : {"a, two", "a, three", "b, two", "b, three"})
+    EXPECT_NE(answer.out.find(name), std::string::npos) << name;
+}
