@@ -97,8 +97,9 @@ TEST(Adaptation, ContactSmallerThanACellIsFound)
   // relates force, half-width and peak by p0 = 2 P/(pi a), and a = pi p0 R/(2 E*) with 1/E* = 2 (1 - nu^2)/E.
   for (const std::string middle : {"0.5", "0.37", "0.58"})
   {
-    const Answer answer = run_scene("two-layers", contact_in_a_cell(middle) + both_adapt +
-                                                      Overrides{"Adaptation/Maximum passes=14"});
+    const Answer answer = run_scene(
+        "two-layers", contact_in_a_cell(middle) + both_adapt +
+                          Overrides{"Adaptation/Maximum passes=14", "Contact interface/Penalty=1e-9"});
     ASSERT_EQ(answer.status, 0) << answer.err;
     const auto &contact = answer.summary["contacts"][0];
     EXPECT_EQ(contact["missed_contact"], 0);
