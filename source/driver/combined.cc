@@ -104,7 +104,7 @@ namespace abut
       const std::vector<Eigen::VectorXd> solved = respond(bodies(), problem, pressures); // u~ of (20)
       for (std::size_t a = 0; a < solved.size(); ++a)                                    // (21)
         next.displacements.push_back(gamma * solved[a] + (1. - gamma) * state.displacements[a]);
-      next.pressures = gamma * pressures + (1. - gamma) * state.pressures;
+      next.pressures = gamma * pressures + (1. - gamma) * state.pressures.cwiseMax(0.);
 
       SchemeResult &iteration = results.iteration;
       iteration.traction = state_is_field_ ? next.pressures : pressures;

@@ -146,7 +146,6 @@ namespace abut
     displacement = carried[0];
     for (std::size_t k = 0; k < slaves.size(); ++k)
       pressures[slaves[k]] =
-          first_components_of(body, pairs_[slaves[k]].slave().side, body.trace_of(carried[k + 1]))
-              .cwiseMax(0.);
+          first_components_of(body, pairs_[slaves[k]].slave().side, body.trace_of(carried[k + 1]));
   }
 } // namespace abut

@@ -80,7 +80,7 @@ namespace abut
     results.compliance_is_dense = solver_->compliance().is_dense();
     std::optional<Eigen::VectorXd> start;
     if (carried)
-      start = carried->pressures;
+      start = carried->pressures.cwiseMax(0.);
     double tolerance = first_tolerance(results);
     unsigned int steps = 0;
     do

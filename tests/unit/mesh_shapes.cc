@@ -26,6 +26,12 @@ namespace
        15,
        6.,
        {{"left", 1.5}, {"right", 1.5}, {"bottom", 4.}, {"top", 4.}}},
+      {Shape::l_shape,
+       {2.},
+       {{3, 2}},
+       18,
+       12.,
+       {{"left", 4.}, {"right", 2.}, {"bottom", 2.}, {"top", 4.}, {"corner", 4.}}},
       {Shape::disc, {2.}, {{6, 3}}, 4 * (9 + 18), 4. * pi, {{"outer", 4. * pi}}},
       {Shape::half_disc, {2.}, {{6, 3}}, 2 * (9 + 18), 2. * pi, {{"outer", 2. * pi}, {"bottom", 4.}}},
       {Shape::quarter_disc, {2.}, {{6, 3}}, 9 + 18, pi, {{"outer", pi}, {"left", 2.}, {"bottom", 2.}}},
@@ -45,7 +51,7 @@ TEST(MeshShapes, AreasSidesAndCells)
     SCOPED_TRACE(static_cast<int>(expected.shape));
     const auto mesh = make_mesh(make_body(expected.shape, expected.size, expected.cells));
     EXPECT_EQ(mesh->triangulation.n_active_cells(), expected.n_cells);
-    EXPECT_EQ(mesh->curved, expected.shape != Shape::rectangle);
+    EXPECT_EQ(mesh->curved, has_curves(expected.shape));
     EXPECT_NEAR(area(*mesh, 4), expected.area, 1e-6 * expected.area);
     EXPECT_EQ(mesh->boundaries.size(), expected.lengths.size());
     for (const auto &[side, length] : expected.lengths)

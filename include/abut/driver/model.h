@@ -35,7 +35,7 @@ namespace abut
     /**
      * Changes the meshes of the bodies with marked cells, one entry of `marks` for each body, and makes the
      * pairs that see them anew. Nothing is done to other bodies. Fields and pressures are carried over;
-     * pressures between nodes that the slave's shape functions make negative become zero.
+     * between nodes the slave's shape functions of higher degree may make pressures negative.
      */
     CarriedState adapt(const std::vector<CellMarks> &marks, const CarriedState &state);
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The sections Adaptation and Study.
+#include "scene_file.h"
+#include "scene_testing.h"
+
+using namespace abut;
+
+namespace
+{
+  void expect_refused(const std::vector<std::string> &overrides, const std::string &phrase)
+  {
+    const SceneFile file(two_squares);
+    SCOPED_TRACE(overrides.back());
+    expect_phrase(message_of([&] { file.read(overrides); }), phrase);
+  }
+
+  const std::string estimator = "Adaptation/Estimator=zz", adapt = "Body upper/Adapt=true";
+} // namespace
+
+TEST(SceneAdaptation, reads_what_is_given)
+{
+  const SceneFile file(two_squares);
+  const Scene scene = file.read(
+      {estimator, adapt, "Adaptation/Marking=fixed fraction", "Adaptation/Fraction=1",
+       "Adaptation/Coarsening=0.25", "Adaptation/Limit=0.5", "Adaptation/Normalisation=printed",
+       "Adaptation/Maximum passes=7", "Adaptation/Combined=true", "Adaptation/Iteration fraction=0"});
+  EXPECT_TRUE(scene.bodies[0].adapt);
+  EXPECT_FALSE(scene.bodies[1].adapt);
+  EXPECT_EQ(scene.adaptation.estimator, EstimatorKind::zz);
+  EXPECT_EQ(scene.adaptation.marking, Marking::fixed_fraction);
+  EXPECT_EQ(scene.adaptation.normalisation, Normalisation::printed);
+  EXPECT_EQ(scene.adaptation.fraction, 1.);
+  EXPECT_EQ(scene.adaptation.coarsening, .25);
+  EXPECT_EQ(scene.adaptation.limit, .5);
+  EXPECT_EQ(scene.adaptation.maximum_passes, 7u);
+  EXPECT_EQ(scene.adaptation.iteration_fraction, 0.);
+  EXPECT_TRUE(scene.adaptation.combined);
+}
+
+TEST(SceneAdaptation, refuses_what_does_not_fit)
+{
+  expect_refused({"Adaptation/Estimator=fe-be"}, "Estimator");
+  expect_refused({"Adaptation/Marking=all"}, "Marking");
+  expect_refused({"Adaptation/Normalisation=l2"}, "Normalisation");
+  expect_refused({"Adaptation/Fraction=0"},
+                 "Adaptation/Fraction: received `0`, allowed are numbers from above 0");
+  expect_refused({"Adaptation/Fraction=1.5"}, "Fraction");
+  expect_refused({"Adaptation/Coarsening=1"},
+                 "Adaptation/Coarsening: received `1`, allowed are numbers from 0 to below 1");
+  expect_refused({"Adaptation/Iteration fraction=1"}, "Adaptation/Iteration fraction: received `1`");
+  expect_refused({"Adaptation/Limit=-1"}, "Limit");
+  expect_refused({"Adaptation/Maximum passes=0"}, "Maximum passes");
+  expect_refused({estimator, adapt, "Adaptation/Marking=threshold"}, "Marking = threshold");
+  expect_refused({"Adaptation/Combined=true"}, "Adaptation/Estimator: received `none` with Combined = true");
+  expect_refused({estimator, adapt, "Adaptation/Combined=true"},
+                 "Adaptation/Limit: received `0` with Combined");
+  expect_refused({estimator, "Adaptation/Limit=0.1"}, "no body adapts");
+  expect_refused({adapt}, "Body upper/Adapt: received `true`, but Adaptation/Estimator is none");
+  expect_refused({estimator, adapt, "Body upper/Cell type=triangles", "Adaptation/Coarsening=0.1"},
+                 "triangles, which cannot be merged");
+  expect_refused({estimator, adapt, "Adaptation/Limit=1", "Adaptation/Combined=true",
+                  "Body upper/Conditions=top: resultant: -1"},
+                 "carries a resultant");
+}
+
+TEST(SceneStudy, crosses_two_lists_after_the_common_overrides)
+{
+  const SceneFile file(two_squares);
+  const StudyParameters study =
+      file.read({"Study/Common=a/b=1",
+                 "Study/Variants=one: c=f(1; 2) | d=3; two:", "Study/Crossed with=x: e=4; y: e=5"})
+          .study;
+  ASSERT_EQ(study.variants.size(), 4u);
+  EXPECT_EQ(study.variants[0].name, "one, x");
+  EXPECT_EQ(study.variants[0].overrides, (std::vector<std::string>{"a/b=1", "c=f(1; 2)", "d=3", "e=4"}));
+  EXPECT_EQ(study.variants[3].name, "two, y");
+  EXPECT_EQ(study.variants[3].overrides, (std::vector<std::string>{"a/b=1", "e=5"}));
+}
+
+TEST(SceneStudy, refuses_what_is_no_list)
+{
+  expect_refused({"Study/Variants=one"}, "a variant is written name:");
+  expect_refused({"Study/Variants=one: a=1; one: a=2"}, "the variant `one` is given twice");
+  expect_refused({"Study/Common=a"}, "an override is written Section/Name=value");
+}
