@@ -17,6 +17,8 @@ namespace abut
       break;
     case ReferenceParameters::Solution::layers_sliding:
     case ReferenceParameters::Solution::layers_bonded:
+    case ReferenceParameters::Solution::infinite_layers_sliding:
+    case ReferenceParameters::Solution::infinite_layers_bonded:
       return std::make_unique<LayersReference>(scene);
     case ReferenceParameters::Solution::hertz:
       return std::make_unique<HertzReference>(scene);

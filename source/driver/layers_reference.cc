@@ -13,6 +13,19 @@ namespace abut
 {
   namespace
   {
+    using LayersSolution = ReferenceParameters::Solution;
+
+    bool is_bonded(const LayersSolution solution)
+    {
+      return solution == LayersSolution::layers_bonded || solution == LayersSolution::infinite_layers_bonded;
+    }
+
+    bool is_infinite(const LayersSolution solution)
+    {
+      return solution == LayersSolution::infinite_layers_sliding ||
+             solution == LayersSolution::infinite_layers_bonded;
+    }
+
     /// The inward displacement of a face that slides, one number all along it.
     double sliding_approach(const SceneChecks &checks, const BodyDescription &body, const std::string &face)
     {
@@ -35,13 +48,15 @@ namespace abut
       return (face == "top" ? -1. : 1.) * checks.constant(body, *condition, 1);
     }
 
-    void check_layer(const SceneChecks &checks, const BodyDescription &body, const std::string &contact_side)
+    void check_layer(const SceneChecks &checks, const BodyDescription &body, const std::string &contact_side,
+                     const bool infinite)
     {
       checks.require(body.shape == Shape::rectangle && (contact_side == "top" || contact_side == "bottom"),
                      "body " + body.name + " must be a rectangle with contact on its top or bottom");
-      for (const std::string side : {"left", "right"})
-        checks.require_roller(body, side);
-      checks.require_no_further_conditions(body, 3);
+      checks.require_roller(body, "left");
+      if (!infinite)
+        checks.require_roller(body, "right");
+      checks.require_no_further_conditions(body, infinite ? 2 : 3);
     }
 
     /// The contact side of a body from its end x = 0 to the other one, in the plane.
@@ -82,13 +97,14 @@ namespace abut
       checks.require_pair(scene);
       const ContactDescription &contact = scene.contacts.front();
       LayersContactData data{};
+      data.ends = is_infinite(scene.reference.solution) ? Layer::Ends::infinite : Layer::Ends::rollers;
       double approach = 0.;
       for (const Side &side : {contact.slave, contact.master})
       {
         const std::size_t index = scene.body_index(side.body);
         const BodyDescription &body = scene.bodies[index];
-        check_layer(checks, body, side.boundary);
-        const bool bonded = scene.reference.solution == ReferenceParameters::Solution::layers_bonded;
+        check_layer(checks, body, side.boundary, is_infinite(scene.reference.solution));
+        const bool bonded = is_bonded(scene.reference.solution);
         data.layers[index] = {body.young_modulus, body.poisson_ratio, body.size[1],
                               bonded ? Layer::Base::bonded : Layer::Base::sliding};
         const std::string face = side.boundary == "top" ? "bottom" : "top";
@@ -174,6 +190,8 @@ namespace abut
   OwnStress LayersReference::response(const std::size_t body, const std::vector<PairResult> &pairs) const
   {
     const double length = solution_.data().length;
+    if (solution_.data().ends == Layer::Ends::infinite)
+      return {}; // the scene has ends
     const auto pressure =
         std::make_shared<PiecewisePressure>(length, pressure_pieces(pairs.front(), slave_placement_, length));
     const auto layer = std::make_shared<LayerResponse>(solution_.data().layers.at(body), pressure);

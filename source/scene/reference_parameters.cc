@@ -12,13 +12,16 @@ namespace abut
   {
     using Solution = ReferenceParameters::Solution;
 
-    const Choices<Solution> reference_solutions{{"none", Solution::none},
-                                                {"layers sliding", Solution::layers_sliding},
-                                                {"layers bonded", Solution::layers_bonded},
-                                                {"hertz", Solution::hertz},
-                                                {"lame", Solution::lame},
-                                                {"flat punch", Solution::flat_punch},
-                                                {"corner", Solution::corner}};
+    const Choices<Solution> reference_solutions{
+        {"none", Solution::none},
+        {"layers sliding", Solution::layers_sliding},
+        {"layers bonded", Solution::layers_bonded},
+        {"infinite layers sliding", Solution::infinite_layers_sliding},
+        {"infinite layers bonded", Solution::infinite_layers_bonded},
+        {"hertz", Solution::hertz},
+        {"lame", Solution::lame},
+        {"flat punch", Solution::flat_punch},
+        {"corner", Solution::corner}};
 
     /// A number above 0 that some of the solutions need.
     struct ReferenceDatum
@@ -30,16 +33,13 @@ namespace abut
       std::string unit;
     };
 
+    const std::vector<Solution> layers{Solution::layers_sliding, Solution::layers_bonded,
+                                       Solution::infinite_layers_sliding, Solution::infinite_layers_bonded};
+
     const std::vector<ReferenceDatum> reference_data{
-        {"Approach",
-         &ReferenceParameters::approach,
-         {Solution::layers_sliding, Solution::layers_bonded},
-         "layers: how far the outer faces approach each other",
-         "Length"},
-        {"Gap curvature",
-         &ReferenceParameters::gap_curvature,
-         {Solution::layers_sliding, Solution::layers_bonded},
-         "layers: r of the gap r x^2",
+        {"Approach", &ReferenceParameters::approach, layers,
+         "layers: how far the outer faces approach each other", "Length"},
+        {"Gap curvature", &ReferenceParameters::gap_curvature, layers, "layers: r of the gap r x^2",
          "1 / length"},
         {"Force",
          &ReferenceParameters::force,
@@ -82,7 +82,9 @@ namespace abut
         "Exact solution", "none", Patterns::Selection(words_of(reference_solutions)),
         "Exact solution with which results are compared. layers sliding: two layers with sliding "
         "faces and roller ends, pressed together over a quadratic gap. layers bonded: the same with faces "
-        "that do not slide. hertz: contact of half-planes, the pressure and its resultant. lame: a disc or "
+        "that do not slide. infinite layers sliding, infinite layers bonded: layers without an end, for "
+        "scenes whose right ends are free; the ends make a difference. hertz: contact of half-planes, the "
+        "pressure and its resultant. lame: a disc or "
         "ring shrunk into a ring. flat punch: a half-plane, cut out as a rectangle, under a rigid punch. "
         "corner: the singular field of an L-shape. A scene that is not the solution's is refused.");
     for (const ReferenceDatum &datum : reference_data)

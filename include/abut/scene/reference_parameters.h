@@ -21,10 +21,12 @@ namespace abut
       layers_sliding, ///< two layers with sliding faces and roller ends, pressed by `Approach`, gap `Gap
                       ///< curvature` x^2
       layers_bonded,  ///< the same with faces that are held along themselves
-      hertz,          ///< two half-planes, `Force`, composite radius `Radius`
-      lame,           ///< a disc or ring shrunk into a ring
-      flat_punch,     ///< a half-plane under the pressure of a rigid punch, `Half width`, `Force`
-      corner          ///< the singular field of an L-shape, `Amplitude`
+      infinite_layers_sliding, ///< layers without an end; for scenes of finite layers with free right ends
+      infinite_layers_bonded,
+      hertz,      ///< two half-planes, `Force`, composite radius `Radius`
+      lame,       ///< a disc or ring shrunk into a ring
+      flat_punch, ///< a half-plane under the pressure of a rigid punch, `Half width`, `Force`
+      corner      ///< the singular field of an L-shape, `Amplitude`
     };
     Solution solution = Solution::none;
     double approach = 0.;
