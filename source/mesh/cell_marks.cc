@@ -8,24 +8,6 @@ namespace abut
   namespace
   {
     constexpr int deepest_level = 30;
-
-    /// Flags the coarser neighbours of flagged cells until there are none.
-    void flag_coarser_neighbours(dealii::Triangulation<2> &triangulation)
-    {
-      for (bool changed = true; changed;)
-      {
-        changed = false;
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->refine_flag_set())
-            for (const unsigned int f : cell->face_indices())
-              if (!cell->at_boundary(f) && cell->neighbor(f)->is_active() &&
-                  cell->neighbor(f)->level() < cell->level() && !cell->neighbor(f)->refine_flag_set())
-              {
-                cell->neighbor(f)->set_refine_flag();
-                changed = true;
-              }
-      }
-    }
   } // namespace
 
   bool CellMarks::any() const
@@ -51,7 +33,5 @@ namespace abut
       else if (marks.coarsen[index] && cell->level() > 0 && !triangles)
         cell->set_coarsen_flag();
     }
-    if (triangles)
-      flag_coarser_neighbours(triangulation);
   }
 } // namespace abut

@@ -3,6 +3,7 @@
 #include <abut/mesh/cell_marks.h>
 
 #include "mesh_testing.h"
+#include <random>
 
 using namespace abut;
 
@@ -23,7 +24,7 @@ namespace
     triangulation.execute_coarsening_and_refinement();
   }
 
-  /// The largest difference of levels across an edge, and whether the cells fill the square.
+  /// The largest difference of levels across an edge; the cells have to fill the square.
   int largest_step(const Triangulation &triangulation)
   {
     int step = 0;
@@ -33,7 +34,12 @@ namespace
       sum += cell->measure();
       for (const unsigned int f : cell->face_indices())
         if (!cell->at_boundary(f))
+        {
           step = std::max(step, cell->level() - cell->neighbor(f)->level());
+          const auto face = cell->face(f); // from the coarse side
+          for (unsigned int half = 0; half < face->n_children(); ++half)
+            step = std::max(step, face->child(half)->has_children() ? 2 : 1);
+        }
     }
     EXPECT_NEAR(sum, 1., 1e-12);
     return step;
@@ -92,6 +98,28 @@ TEST(MeshMarks, NeighboursDifferByOneLevelTowardsAPlaceInsideACell)
       EXPECT_LE(largest_step(mesh->triangulation), 1) << pass;
     }
   }
+}
+
+TEST(MeshMarks, NeighboursDifferByOneLevelWhateverIsMarked)
+{
+  std::mt19937 random(1);
+  for (const CellType type : both_types)
+    for (int mesh = 0; mesh < 10; ++mesh)
+    {
+      const auto square_mesh = unit_square(type, 3);
+      Triangulation &triangulation = square_mesh->triangulation;
+      for (int pass = 0; pass < 12; ++pass)
+      {
+        CellMarks marks = no_marks(triangulation);
+        for (int i = 0; i < 4; ++i)
+          marks.refine[random() % marks.refine.size()] = true;
+        for (std::size_t i = 0; i < marks.coarsen.size(); ++i)
+          marks.coarsen[i] = !marks.refine[i] && random() % 2 == 0;
+        change_mesh(triangulation, marks);
+        EXPECT_LE(largest_step(triangulation), 1) << mesh << " " << pass;
+      }
+      EXPECT_GT(triangulation.n_levels(), 2u);
+    }
 }
 
 TEST(MeshMarks, TheDeepestLevelIsNotSplit)

@@ -21,10 +21,10 @@ namespace abut
   CellMarks no_marks(const dealii::Triangulation<2> &triangulation);
 
   /**
-   * Sets the triangulation's flags from the marks. Cells of two levels' difference never share an edge (the
-   * 2:1 rule; deal.II sees to it for quadrilaterals, here it is done for triangles). Cells of level 30, 1e-9
-   * of the initial ones, are not split any further: their coordinates run out of digits. Triangles are never
-   * merged, which deal.II 9.4 cannot do.
+   * Sets the triangulation's flags from the marks; where it is refined, deal.II splits more cells so that
+   * none of two levels' difference share an edge. Cells of level 30, 1e-9 of the initial ones, are not split
+   * any further: their coordinates run out of digits. Triangles are never merged, which deal.II 9.4 cannot
+   * do.
    */
   void set_flags(dealii::Triangulation<2> &triangulation, const CellMarks &marks);
 } // namespace abut
