@@ -118,6 +118,12 @@ namespace abut
             std::to_string(pair.missed.size()) +
             " pieces of the slave side far from any node in contact; contact smaller than a cell is not "
             "resolved, use finer cells or let the bodies adapt (Body <name>/Adapt)");
+    const bool even_degree = std::any_of(bodies().begin(), bodies().end(),
+                                         [](const auto &body) { return body->space().degree() == 2; });
+    if (scene_.adaptation.estimator == EstimatorKind::zz && even_degree)
+      sentences.emplace_back(
+          "Adaptation/Estimator = zz sees only a part of the error of degree 2, a tenth to a half "
+          "of it: its marks are good, its values and a Limit are not; spr and kelly see it whole");
     return sentences;
   }
 

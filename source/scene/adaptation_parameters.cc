@@ -57,7 +57,8 @@ namespace abut
     prm.declare_entry(
         "Estimator", "none", Patterns::Selection(words_of(estimators)),
         "How the stress error of a cell is estimated. kelly: jumps of the traction between cells. "
-        "zz: against nodal averages of the stress. spr: against polynomials fitted to the stress "
+        "zz: against nodal averages of the stress, not for values at degree 2. spr: against polynomials "
+        "fitted to the stress "
         "around each vertex and to the known boundary tractions.");
     prm.declare_entry(
         "Normalisation", "rms", Patterns::Selection(words_of(normalisations)),

@@ -208,6 +208,14 @@ TEST(Adaptation, TrianglesAndHigherDegreesAdaptToo)
   }
 }
 
+TEST(Adaptation, ZZAtDegreeTwoIsWarnedOf)
+{
+  const Overrides zz = {"Adaptation/Estimator=zz"};
+  EXPECT_EQ(run_scene("patch-test", zz).summary["warnings"].size(), 0u);
+  EXPECT_EQ(run_scene("patch-test", zz + Overrides{"Discretisation/Degree=2"}).summary["warnings"].size(),
+            1u);
+}
+
 TEST(Adaptation, FiniteLayersDifferFromInfiniteOnesByTheirFreeEnds)
 {
   // Known of these scenes, four heights long, by an independent computation: the stress differs by 2.3e-4 on
