@@ -93,8 +93,12 @@ namespace abut
     {
       return trace_to_dofs_.transpose() * field;
     }
-    /// The field with given values on the contact sides and zero at all other nodes.
-    Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const { return trace_to_dofs_ * trace; }
+    /// The continuous field with given values on the contact sides and zero at all other nodes but hanging
+    /// ones.
+    Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const
+    {
+      return space_->hanging_node_expansion() * (trace_to_dofs_ * trace);
+    }
 
   private:
     /// Everything that depends on the mesh but the stiffness.
