@@ -10,6 +10,7 @@
 #include <abut/driver/stopwatch.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace abut
 {
@@ -59,9 +60,11 @@ namespace abut
         square += 2. * bodies[a]->strain_energy(u[a] - v[a]);
       return std::sqrt(square);
     }
+
+    /// A bound in terms of a norm; infinite before anything presses.
     double relative(const double bound, const double norm)
     {
-      return bound == 0. ? 0. : bound / norm; // infinite before anything presses
+      return bound == 0. ? 0. : bound / norm;
     }
   } // namespace
 
@@ -70,6 +73,22 @@ namespace abut
     const auto compliance = make_compliance(model_->problem(), ComplianceMode::solves, 0.);
     return accident_message(model_->problem(), *compliance, results.iteration.relaxation,
                             results.iteration.traction);
+  }
+
+  std::string Simulation::relaxation_hint() const
+  {
+    if (!scene_.decomposition.relaxation)
+      return {};
+    const auto compliance = make_compliance(model_->problem(), ComplianceMode::solves, 0.);
+    const double limit = 2. / largest_eigenvalue(model_->problem(), *compliance);
+    if (*scene_.decomposition.relaxation < limit)
+      return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << "; but gamma = " << *scene_.decomposition.relaxation << " is not below gamma* = " << limit
+         << ", so that the steps need not converge: set Decomposition/Relaxation to automatic or to a "
+            "smaller number";
+    return text.str();
   }
 
   CarriedState Simulation::initial_state(const InterfaceProblem::Loads &loads)

@@ -83,17 +83,17 @@ namespace abut
       start = carried->pressures.cwiseMax(0.);
     double tolerance = first_tolerance(results);
     unsigned int steps = 0;
+    const auto count_on = [&](StepRecord record) {
+      record.step += steps;
+      if (observer.step)
+        observer.step(record);
+    };
     do
     {
-      const Stopwatch watch(results.times.interface);
-      results.iteration = solve_interface(
-          start, tolerance,
-          [&](StepRecord record) {
-            record.step += steps;
-            if (observer.step)
-              observer.step(record);
-          },
-          results);
+      {
+        const Stopwatch watch(results.times.interface);
+        results.iteration = solve_interface(start, tolerance, count_on, results);
+      }
       steps += results.iteration.steps;
       start = results.iteration.traction;
       evaluate(results);

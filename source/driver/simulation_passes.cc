@@ -96,7 +96,8 @@ namespace abut
   {
     const AdaptationParameters &adaptation = scene_.adaptation;
     const PassRecord &pass = results.passes.back();
-    if (adaptation.limit == 0. || (*pass.eta_max <= adaptation.limit && !adaptation.combined))
+    if (adaptation.limit == 0. ||
+        (*pass.eta_max <= adaptation.limit && !adaptation.combined && pass.n_missed == 0))
       return {};
     std::ostringstream text;
     text.precision(3);
@@ -105,7 +106,11 @@ namespace abut
     if (adaptation.combined)
       text << ", the last increment of the contact displacement " << pass.increment
            << " where Decomposition/Tolerance = " << scene_.decomposition.tolerance;
+    if (pass.n_missed > 0)
+      text << ", contact smaller than a cell is left";
     text << ". Raise Adaptation/Maximum passes (or Maximum unknowns) or the limit";
+    if (adaptation.combined)
+      text << relaxation_hint();
     return text.str();
   }
 
@@ -119,7 +124,7 @@ namespace abut
     const bool steady = !adaptation.combined ||
                         (by_bound ? pass.iteration : pass.increment) <= scene_.decomposition.tolerance;
     if (adaptation.limit > 0. && *pass.eta_max <= adaptation.limit && steady && pass.n_missed == 0)
-      results.adaptation_end = {"limit", adaptation.combined ? combined_accident(results) : ""};
+      results.adaptation_end = {"limit", adaptation.combined && !by_bound ? combined_accident(results) : ""};
     else if (results.passes.size() >= adaptation.maximum_passes)
       results.adaptation_end = {"maximum passes", limit_message(results, "the maximum of passes has come")};
     else if (pass.counts.dofs >= adaptation.maximum_unknowns)

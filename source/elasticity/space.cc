@@ -95,9 +95,7 @@ namespace abut
     if (!has_flags(triangulation))
       return fields;
     dealii::SolutionTransfer<2, Field> transfer(dof_handler_);
-    if (fields.empty())
-      transfer.prepare_for_pure_refinement();
-    else
+    if (!fields.empty())
       transfer.prepare_for_coarsening_and_refinement(old_fields);
     triangulation.execute_coarsening_and_refinement();
     if (mesh_->curved)

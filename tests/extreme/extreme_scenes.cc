@@ -92,6 +92,50 @@ TEST(Extreme, ApartAndNeverTouching)
   EXPECT_EQ(answer.summary["status"], "converged");
 }
 
+TEST(Extreme, AdaptedMeshesDoNotDependOnUnitsAndContrast)
+{
+  // Lengths, both moduli, or one of them: on equal layers of nu = 0.3 the stiffness ratio changes no shape.
+  const std::vector<std::string> adaptive = {"Body upper/Cells=16, 4",
+                                             "Body lower/Cells=16, 4",
+                                             "Body upper/Adapt=true",
+                                             "Body lower/Adapt=true",
+                                             "Adaptation/Estimator=spr",
+                                             "Adaptation/Maximum passes=6",
+                                             "Contact interface/Penalty coefficient=5e-3"};
+  const auto layers = [&](std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), adaptive.begin(), adaptive.end());
+    return run_scene("two-layers-rollers", overrides);
+  };
+  const Answer plain = layers({});
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  const double error = plain.summary["true_error"]["energy"];
+  for (const std::vector<std::string> &change : std::vector<std::vector<std::string>>{
+           {"Body upper/Young modulus=2.1e13"},
+           {"Body lower/Young modulus=2.1e-3"},
+           {"Body upper/Scale=1e-6", "Body lower/Scale=1e-6", "Body upper/Shift=0, 1e-6"},
+           {"Body upper/Scale=1e6", "Body lower/Scale=1e6", "Body upper/Shift=0, 1e6"}})
+  {
+    const Answer answer = layers(change);
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(answer.summary["pass_table"].back()["dofs"], plain.summary["pass_table"].back()["dofs"])
+        << change[0];
+    EXPECT_NEAR(answer.summary["true_error"]["energy"].get<double>(), error, 1e-8 * error) << change[0];
+  }
+}
+
+TEST(Extreme, TheEstimateSeesLocking)
+{
+  // Bilinear cells lock at nu = 0.4999: half of the energy is error, and the estimate says so.
+  const Answer answer = run_scene(
+      "two-layers-rollers", {"Body upper/Cells=16, 4", "Body lower/Cells=16, 4", "Body upper/Adapt=true",
+                             "Body lower/Adapt=true", "Adaptation/Estimator=spr",
+                             "Adaptation/Maximum passes=6", "Contact interface/Penalty coefficient=5e-3",
+                             "Body upper/Poisson ratio=0.4999", "Body lower/Poisson ratio=0.4999"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_GT(answer.summary["true_error"]["energy"].get<double>(), .2);
+  EXPECT_NEAR(answer.summary["error"]["effectivity"].get<double>(), 1., .1);
+}
+
 TEST(Extreme, ATolerancePastRoundOffEndsWithAMessage)
 {
   const Answer answer = patch({"Decomposition/Tolerance=1e-30"});

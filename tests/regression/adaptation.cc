@@ -59,7 +59,10 @@ TEST(Adaptation, TenPassesLeaveDisplacementTractionAndForcesConsistent)
   const double force = answer.summary["contacts"][0]["normal_force"];
   EXPECT_NEAR(answer.summary["bodies"][0]["reactions"]["top"][1].get<double>(), -force, 1e-9 * force);
   EXPECT_NEAR(answer.summary["bodies"][1]["reactions"]["bottom"][1].get<double>(), force, 1e-9 * force);
-  EXPECT_LT(answer.summary["true_error"]["energy"].get<double>(), .013);
+  // Uniform meshes have the energy error 1.75/sqrt(unknowns), doc/results.md; adaptation gains a quarter at
+  // least.
+  const double unknowns = answer.summary["pass_table"].back()["dofs"];
+  EXPECT_LT(answer.summary["true_error"]["energy"].get<double>(), 1.75 / 1.25 / std::sqrt(unknowns));
   EXPECT_NEAR(answer.summary["error"]["effectivity"].get<double>(), 1., .05);
 }
 
@@ -94,7 +97,8 @@ TEST(Adaptation, BodiesThatNeverTouchConvergeWithoutPressure)
 TEST(Adaptation, ContactSmallerThanACellIsFound)
 {
   // The curvature is so large that the bodies are half-planes for the contact: Hertz with the radius 1/(2 r0)
-  // relates force, half-width and peak by p0 = 2 P/(pi a), and a = pi p0 R/(2 E*) with 1/E* = 2 (1 - nu^2)/E.
+  // relates force, half-width and peak (eight cells to the half-width: (1/8)^2 and some for the discrete
+  // peak) by p0 = 2 P/(pi a), and a = pi p0 R/(2 E*) with 1/E* = 2 (1 - nu^2)/E.
   for (const std::string middle : {"0.5", "0.37", "0.58"})
   {
     const Answer answer = run_scene(
@@ -107,7 +111,7 @@ TEST(Adaptation, ContactSmallerThanACellIsFound)
     const double half_width = 2. * peak * 10. / modulus; // p0 = a E*/(2 R)
     EXPECT_GT(peak, 10.);
     EXPECT_NEAR(contact["normal_force"].get<double>(), std::acos(-1.) / 2. * peak * half_width,
-                .05 * contact["normal_force"].get<double>())
+                .025 * contact["normal_force"].get<double>())
         << "middle at " << middle;
     expect_balance(answer);
   }
@@ -206,6 +210,60 @@ TEST(Adaptation, TrianglesAndHigherDegreesAdaptToo)
         << change;
     expect_balance(answer);
   }
+}
+
+TEST(Adaptation, EveryPassIteratesToItsShareOfTheEstimatedError)
+{
+  const Answer answer =
+      run_scene("two-layers-rollers", coarse + both_adapt + Overrides{"Adaptation/Maximum passes=5"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  for (const auto &pass : answer.summary["pass_table"])
+  {
+    const double discretisation = pass["error_discretisation"], iteration = pass["error_iteration"];
+    EXPECT_LE(iteration, .1 * discretisation);
+    EXPECT_GT(iteration, 1e-4 * discretisation); // and not much further
+    EXPECT_DOUBLE_EQ(pass["error_total"].get<double>(), std::hypot(discretisation, iteration));
+  }
+  const Answer to_the_end = run_scene(
+      "two-layers-rollers",
+      coarse + both_adapt + Overrides{"Adaptation/Maximum passes=2", "Adaptation/Iteration fraction=0"});
+  EXPECT_LE(to_the_end.summary["pass_table"][1]["error_iteration"].get<double>(), 1e-6);
+}
+
+TEST(Adaptation, TheEnergyGrowsByTheSquareOfTheChange)
+{
+  // Galerkin's orthogonality on nested meshes under the same load: |u_2|^2 = |u_1|^2 + |u_2 - u_1|^2.
+  const auto bracket = [](const std::string &passes) {
+    return run_scene("corner", {"Body bracket/Conditions=bottom: displacement: 0, 0; right: traction: 0, -1",
+                                "Reference/Exact solution=none", "Adaptation/Maximum passes=" + passes});
+  };
+  const Answer one = bracket("1"), two = bracket("2");
+  ASSERT_EQ(two.status, 0) << two.err;
+  const double before = one.summary["bodies"][0]["energy"], after = two.summary["bodies"][0]["energy"];
+  const double change = two.summary["pass_table"][1]["change"];
+  EXPECT_GT(change, .01);
+  EXPECT_NEAR((after - before) / after, change * change, 1e-9);
+}
+
+TEST(Adaptation, TheMaximumOfUnknownsEndsTheRun)
+{
+  const Answer answer =
+      run_scene("two-layers-rollers", coarse + both_adapt + Overrides{"Adaptation/Maximum unknowns=600"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(answer.summary["stopped_by"], "maximum unknowns");
+  const auto &table = answer.summary["pass_table"];
+  EXPECT_GE(table[table.size() - 1]["dofs"].get<int>(), 600);
+  EXPECT_LT(table[table.size() - 2]["dofs"].get<int>(), 600);
+}
+
+TEST(Adaptation, TheCombinedAlgorithmNamesAGammaThatIsTooLarge)
+{
+  const Answer answer = run_scene(
+      "two-layers", both_adapt + Overrides{"Adaptation/Combined=true", "Adaptation/Limit=0.3",
+                                           "Adaptation/Marking=threshold", "Adaptation/Maximum passes=20",
+                                           "Decomposition/Relaxation=0.9"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.err.find("gamma = 0.9 is not below gamma* = 0.053"), std::string::npos) << answer.err;
 }
 
 TEST(Adaptation, ZZAtDegreeTwoIsWarnedOf)

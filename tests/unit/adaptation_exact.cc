@@ -13,13 +13,7 @@ namespace
   /// u = ((x+1)^p + (y+1)^p, (x+1)^p - 2 (y+1)^p) with its body force and tractions, turned and mirrored.
   BodyDescription polynomial_body(const Variant &variant)
   {
-    BodyDescription body = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
-    body.grading = {{2., .5}};
-    body.cell_type = variant.type;
-    body.degree = variant.degree;
-    body.placement = Placement(1., true, 25., Vector2(2., 1.));
-    body.young_modulus = 2.6;
-    body.poisson_ratio = .3;
+    BodyDescription body = turned_plate(variant.type, variant.degree, 1.);
     const Constants constants{{"L", 1.5}, {"M", 1.}, {"p", static_cast<double>(variant.degree)}};
     const std::string xx = "((L+2*M)*p*(x+1)^(p-1)-2*L*p*(y+1)^(p-1))",
                       yy = "(L*p*(x+1)^(p-1)-2*(L+2*M)*p*(y+1)^(p-1))",

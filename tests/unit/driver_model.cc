@@ -104,6 +104,37 @@ namespace
       EXPECT_EQ(body->counters().meshes, 1u);
   }
 
+  /// Cells here and there, the same in every run.
+  std::vector<CellMarks> scattered_marks(const Model &model, const unsigned int pass)
+  {
+    std::vector<CellMarks> result = marks(model, true);
+    for (std::size_t a = 0; a < result.size(); ++a)
+      for (std::size_t cell = 0; cell < result[a].refine.size(); ++cell)
+        result[a].refine[cell] = (7 * cell + 3 * a + pass) % 5 < 2;
+    return result;
+  }
+
+  TEST(Model, passes_the_patch_test_on_meshes_with_hanging_nodes_on_both_sides)
+  {
+    for (const std::string degree : {"1", "2", "3"})
+    {
+      const Scene scene =
+          Scene::read(ABUT_SOURCE_DIR "/prm/patch-test.prm", {"Discretisation/Degree=" + degree});
+      Model model(scene, nullptr);
+      for (unsigned int pass = 0; pass < 4; ++pass)
+        model.adapt(scattered_marks(model, pass), random_state(model));
+      for (const auto &body : model.bodies())
+        EXPECT_TRUE(body->space().has_hanging_nodes());
+      Times times;
+      model.prepare(times);
+      const SchemeResult result =
+          InterfaceSolver(model.problem(), scene.decomposition).solve(model.problem().loads(0.), {}, {});
+      ASSERT_TRUE(result.converged()) << result.message;
+      const double exact = 1e-3 / (2. * .91e-2 + .05 * 1e-2);
+      EXPECT_LT((result.traction.array() / exact - 1.).abs().maxCoeff(), 1e-9) << "degree " << degree;
+    }
+  }
+
   TEST(WarmStart, saves_steps_on_adapted_meshes)
   {
     const Scene scene = layers({"Contact interface/Penalty coefficient=5e-3"});
@@ -141,6 +172,6 @@ namespace
     }
     std::cout << "steps to 1e-4 on four adapted meshes: " << all_warm
               << " with the traction of the mesh before, " << all_cold << " without\n";
-    EXPECT_LT(all_warm, .6 * all_cold);
+    EXPECT_LT(all_warm, .5 * all_cold);
   }
 } // namespace

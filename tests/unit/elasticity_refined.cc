@@ -9,13 +9,7 @@ namespace
   /// Graded, turned and mirrored; its cells refined over several levels, inside and at a corner.
   BodyDescription graded_plate(const Variant &variant, const std::string &conditions)
   {
-    auto body = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
-    body.grading = {{2., .5}};
-    body.cell_type = variant.type;
-    body.degree = variant.degree;
-    body.placement = Placement(1.5, true, 25., Vector2(2., 1.));
-    body.young_modulus = 2.6;
-    body.poisson_ratio = .3;
+    auto body = turned_plate(variant.type, variant.degree, 1.5);
     set_conditions(body, conditions);
     return body;
   }
@@ -35,18 +29,12 @@ TEST(ElasticityRefined, LinearDisplacementsAreExact)
 {
   for (const Variant &variant : variants)
   {
-    std::string conditions = "left: displacement: 1e-2*(1 + 2*x - y), 1e-2*(3 + x + 4*y)";
-    for (const char *side : {"right", "bottom", "top"})
-      conditions += std::string("; ") + side + ": displacement: 1e-2*(1 + 2*x - y), 1e-2*(3 + x + 4*y)";
+    const std::string conditions = displaced_sides({"left", "right", "bottom", "top"}, linear_formulas);
     const BodyDescription description = graded_plate(variant, conditions);
     Body body(description, {});
     refine_several_levels(body);
     const Eigen::VectorXd u = untouched(body);
-    const auto exact = [&](const Vector2 &x) {
-      const Vector2 own = description.placement.point_to_own(x);
-      return Vector2(1.5e-2 * description.placement.direction_to_world(
-                                  Vector2(1. + 2. * own.x() - own.y(), 3. + own.x() + 4. * own.y())));
-    };
+    const auto exact = [&](const Vector2 &x) { return linear_field(description.placement, x); };
     EXPECT_LT(distance(body, u, exact), 1e-14) << variant.degree;
     EXPECT_LT(body.reactions(u, no_forces).equilibrium_residual, 1e-12);
   }

@@ -12,6 +12,38 @@ namespace abut
     body.conditions = parse_conditions(text, {}, "test");
   }
 
+  /// A linear displacement of the own frame as a condition's formulas and, placed with the scale 1.5, as a
+  /// field.
+  inline const std::string linear_formulas = "1e-2*(1 + 2*x - y), 1e-2*(3 + x + 4*y)";
+  inline Vector2 linear_field(const Placement &placement, const Vector2 &point)
+  {
+    const Vector2 own = placement.point_to_own(point);
+    return 1.5e-2 *
+           placement.direction_to_world(Vector2(1. + 2. * own.x() - own.y(), 3. + own.x() + 4. * own.y()));
+  }
+
+  /// `displacement: formulas` on each of these sides.
+  inline std::string displaced_sides(const std::vector<std::string> &sides, const std::string &formulas)
+  {
+    std::string conditions;
+    for (const std::string &side : sides)
+      conditions += (conditions.empty() ? "" : "; ") + side + ": displacement: " + formulas;
+    return conditions;
+  }
+
+  /// Graded, turned and mirrored, three by two units in six cells.
+  inline BodyDescription turned_plate(const CellType type, const unsigned int degree, const double scale)
+  {
+    auto body = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
+    body.grading = {{2., .5}};
+    body.cell_type = type;
+    body.degree = degree;
+    body.placement = Placement(scale, true, 25., Vector2(2., 1.));
+    body.young_modulus = 2.6;
+    body.poisson_ratio = .3;
+    return body;
+  }
+
   /// Largest difference of a displacement from a given field over all nodes.
   inline double distance(const Body &body, const Eigen::VectorXd &displacement,
                          const std::function<Vector2(const Vector2 &)> &field)

@@ -59,6 +59,8 @@ namespace abut
                                     Results &results);
     /// What is wrong where gamma is too large for the test that has ended the passes to mean anything.
     std::string combined_accident(const Results &results) const;
+    /// What to add to a message where gamma is too large for contact on the whole side; else empty.
+    std::string relaxation_hint() const;
     CarriedState initial_state(const InterfaceProblem::Loads &loads);
 
     double first_tolerance(const Results &results) const;

@@ -17,7 +17,7 @@ namespace abut
 
   /// Error against unknowns and seconds, a line for each pass. `order` is that of the stress error, or of the
   /// estimated one where no exact solution is named: minus the slope against the unknowns in double
-  /// logarithmic scale, from the pass before.
+  /// logarithmic scale, from the pass before; `x sqrt` is that error times the square root of the unknowns.
   std::string study_table(const StudyRun &run);
 
   /// A row for each pass of each variant; errors are relative, cells empty where nothing is known.
