@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/elasticity/assembly.h>
 #include <abut/elasticity/boundary_traction.h>
 
 namespace abut
@@ -35,18 +34,15 @@ namespace abut
     {
       if (supported.empty())
         return {Vector2::UnitX(), Vector2::UnitY()};
-      for (const Vector2 &other : supported)
-        if (std::abs(supported.front().x() * other.y() - supported.front().y() * other.x()) > 1e-6)
-          return {};
+      if (supported.size() == 2)
+        return {};
       return {Vector2(-supported.front().y(), supported.front().x())};
     }
   } // namespace
 
-  BoundaryTraction::BoundaryTraction(const Body &body, const Eigen::VectorXd &contact_forces) : body_(body)
+  BoundaryTraction::BoundaryTraction(const Body &body, const Eigen::VectorXd &contact_forces)
+      : conditions_(body)
   {
-    for (const Condition &condition : body.description().conditions)
-      if (!condition.point)
-        conditions_[boundary_id(body.space().mesh(), condition.boundary)].push_back(&condition);
     for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
     {
       const Trace &side = body.contact_sides()[k];
@@ -68,25 +64,13 @@ namespace abut
     const auto outward = values.normal_vector(point);
     const Vector2 x(place[0], place[1]), normal(outward[0], outward[1]);
     KnownTraction traction;
-    std::vector<Vector2> supported;
-    if (const auto found = conditions_.find(boundary); found != conditions_.end())
-    {
-      for (const Condition *const condition : found->second)
-        if (is_support(condition->kind))
-        {
-          const auto directions =
-              supported_directions(*condition, body_.description().placement, normal, body_.resultant());
-          supported.insert(supported.end(), directions.begin(), directions.end());
-        }
-        else
-          traction.value += prescribed_traction(*condition, body_.description().placement, x, normal);
-    }
+    traction.value = conditions_.traction(boundary, x, normal);
     if (const auto found = pressures_.find(boundary); found != pressures_.end())
       for (unsigned int i = 0; i < dofs.size(); ++i)
         if (values.get_fe().system_to_component_index(i).first == 0)
           traction.value -=
               found->second[static_cast<Index>(dofs[i])] * values.shape_value(i, point) * normal;
-    traction.directions = unsupported(supported);
+    traction.directions = unsupported(conditions_.supported(boundary, normal));
     return traction;
   }
 } // namespace abut

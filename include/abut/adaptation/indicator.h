@@ -5,6 +5,7 @@
 #include <abut/scene/adaptation_parameters.h>
 
 #include <memory>
+#include <vector>
 
 namespace abut
 {
@@ -14,6 +15,9 @@ namespace abut
     const Body &body;
     const Eigen::VectorXd &deformation;    ///< all unknowns, less the rigid motion
     const Eigen::VectorXd &contact_forces; ///< trace vector
+    /// The same, apart for every segment of each contact side (InterfaceProblem::segment_forces); may be
+    /// empty for indicators that do not ask for it.
+    std::vector<Eigen::VectorXd> segment_forces = {};
   };
 
   /// Estimated errors of a body's stress sigma_F, by active cell index.

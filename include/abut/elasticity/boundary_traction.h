@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/elasticity/body.h>
+#include <abut/elasticity/side_conditions.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -35,8 +35,7 @@ namespace abut
                      const std::vector<dealii::types::global_dof_index> &dofs) const;
 
   private:
-    const Body &body_;
-    std::map<dealii::types::boundary_id, std::vector<const Condition *>> conditions_;
+    SideConditions conditions_;
     /// Nodal pressures of the contact sides, in the first component of fields that vanish elsewhere.
     std::map<dealii::types::boundary_id, Eigen::VectorXd> pressures_;
   };

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/boundary_data.h>
+#include <abut/bem/legendre_moments.h>
+#include <abut/elasticity/assembly.h>
+#include <abut/user_error.h>
+
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    Vector2 outward_normal(const BoundaryElement &element)
+    {
+      return Vector2(element.direction.imag(), -element.direction.real());
+    }
+
+    /// The traction's part along directions that are not supported.
+    Vector2 unsupported_part(const std::vector<Vector2> &supported, const Vector2 &traction)
+    {
+      if (supported.size() == 2)
+        return Vector2::Zero();
+      return supported.empty() ? traction
+                               : Vector2(traction - traction.dot(supported.front()) * supported.front());
+    }
+
+    /// Scaled as boundary elements see it: force times length by the shear modulus.
+    Vector2 scaled_body_force(const Body &body, const BoundarySpace &space)
+    {
+      return body_force(body.description(), Vector2::Zero()) * space.unit_length() / body.material().mu();
+    }
+  } // namespace
+
+  Vector2 UniformForce::displacement(const Complex z) const
+  {
+    return -(1. - 2. * nu_) / (4. * (1. - nu_)) *
+           Vector2(force_.x() * z.real() * z.real(), force_.y() * z.imag() * z.imag());
+  }
+
+  Stress UniformForce::stress(const Complex z) const
+  {
+    const double along_x = force_.x() * z.real(), along_y = force_.y() * z.imag();
+    const double ratio = nu_ / (1. - nu_);
+    const double xx = -along_x - ratio * along_y, yy = -along_y - ratio * along_x;
+    return {xx, yy, 0., nu_ * (xx + yy)};
+  }
+
+  BoundaryData::BoundaryData(const Body &body, const std::vector<dealii::types::boundary_id> &boundaries,
+                             const std::vector<Trace> &sides, const BoundarySpace &space,
+                             const unsigned int load_degree)
+      : body_(body), space_(space), load_degree_(load_degree),
+        prescribed_(Eigen::VectorXd::Zero(2 * space.n_coefficients())),
+        uniform_(scaled_body_force(body, space), body.material().poisson_ratio)
+  {
+    const SideConditions conditions(body);
+    std::map<dealii::types::boundary_id, std::size_t> first_of;
+    std::size_t element = 0;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      first_of[boundaries[i]] = element;
+      element += sides[i].segments().size();
+      for (std::size_t e = first_of[boundaries[i]]; e < element; ++e)
+        supported_.push_back(conditions.supported(boundaries[i], outward_normal(space.elements()[e])));
+      add_prescribed(conditions, sides[i], boundaries[i], first_of[boundaries[i]]);
+    }
+    for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
+      first_element_.push_back(first_of.at(body.contact_boundary(k)));
+    take_off_uniform_force();
+  }
+
+  void BoundaryData::add_prescribed(const SideConditions &conditions, const Trace &side,
+                                    const dealii::types::boundary_id boundary, std::size_t first_element)
+  {
+    for (const Segment &segment : side.segments())
+      add_moments(first_element++,
+                  traction_moments(side, segment,
+                                   [&](const Vector2 &point, const Vector2 &normal) {
+                                     return conditions.traction(boundary, point, normal);
+                                   }),
+                  prescribed_);
+  }
+
+  void BoundaryData::add_moments(const std::size_t element, const Eigen::MatrixX2d &moments,
+                                 Eigen::VectorXd &traction) const
+  {
+    const LagrangeBasis basis(static_cast<unsigned int>(moments.rows()) - 1);
+    const double unit = space_.elements()[element].length * space_.unit_length() * body_.material().mu();
+    const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    // P_k = sum_j P_k(eta_j) phi_j
+    for (Index j = 0; j < moments.rows(); ++j)
+    {
+      const auto p = legendre_values(2. * basis.nodes()[j] - 1.);
+      const Vector2 moment = unsupported_part(supported_[element], moments.row(j).transpose()) / unit;
+      for (unsigned int k = 0; k <= load_degree_; ++k)
+        for (Index component = 0; component < 2; ++component)
+          traction[component * n + static_cast<Index>(element) * n_each + k] +=
+              (2. * k + 1.) * p[k] * moment[component];
+    }
+  }
+
+  void BoundaryData::take_off_uniform_force()
+  {
+    const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    const auto traction = [&](const std::size_t element, const double eta) {
+      const Stress s = uniform_.stress(space_.elements()[element].point(eta));
+      const Vector2 normal = outward_normal(space_.elements()[element]);
+      return unsupported_part(supported_[element], Vector2(s.xx * normal.x(), s.yy * normal.y()));
+    };
+    for (std::size_t element = 0; element < supported_.size(); ++element)
+    {
+      const Vector2 at_start = traction(element, -1.), at_end = traction(element, 1.);
+      const Index row = static_cast<Index>(element) * n_each;
+      for (Index component = 0; component < 2; ++component)
+      {
+        prescribed_[component * n + row] -= .5 * (at_end + at_start)[component];
+        prescribed_[component * n + row + 1] -= .5 * (at_end - at_start)[component];
+      }
+    }
+    uniform_displacement_.resize(2 * space_.n_nodes());
+    for (Index node = 0; node < space_.n_nodes(); ++node)
+    {
+      const Vector2 u = uniform_.displacement(space_.node_places()[static_cast<std::size_t>(node)]);
+      uniform_displacement_[node] = u.x();
+      uniform_displacement_[space_.n_nodes() + node] = u.y();
+    }
+  }
+
+  BoundaryState BoundaryData::known(const BodySolution &solution) const
+  {
+    BoundaryState state{prescribed_, space_.trace_of(solution.deformation) - uniform_displacement_};
+    for (std::size_t k = 0; k < solution.segment_forces.size(); ++k)
+    {
+      const Trace &side = body_.contact_sides()[k];
+      const auto n_nodes = static_cast<Index>(side.basis().degree() + 1);
+      for (std::size_t i = 0; i < side.segments().size(); ++i)
+      {
+        const Eigen::VectorXd forces =
+            solution.segment_forces[k].segment(2 * n_nodes * static_cast<Index>(i), 2 * n_nodes);
+        add_moments(first_element_[k] + i,
+                    Eigen::Map<const Eigen::Matrix2Xd>(forces.data(), 2, n_nodes).transpose(),
+                    state.traction);
+      }
+    }
+    return state;
+  }
+
+  std::vector<dealii::types::boundary_id> all_boundaries(const Body &body)
+  {
+    return body.space().mesh().triangulation.get_boundary_ids();
+  }
+
+  void check_boundary_elements(const Body &body)
+  {
+    const std::string begin = "Body " + body.name() + ": ";
+    const std::string end = "; Adaptation/Estimator = fe-be is for ";
+    for (const Expression &expression : body.description().body_force)
+      if (!expression.is_constant())
+        throw UserError(begin + "Body force = " + expression.text() + " is not uniform" + end +
+                        "uniform body forces (others: kelly, zz, spr)");
+    if (body.space().mesh().curved && body.space().degree() > 1)
+      throw UserError(begin + "Degree = " + std::to_string(body.space().degree()) +
+                      " follows its curved sides" + end +
+                      "bodies with straight edges (Degree = 1, or kelly, zz, spr)");
+  }
+} // namespace abut

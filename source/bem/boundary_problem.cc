@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bem/boundary_problem.h>
+#include <abut/user_error.h>
+
+#include <Eigen/SVD>
+
+#include <cmath>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+    using Directions = std::vector<Vector2>;
+
+    double cross(const Vector2 &a, const Vector2 &b)
+    {
+      return a.x() * b.y() - a.y() * b.x();
+    }
+
+    /// Adds what a further element supports at a node: the mean of directions that differ by less than 45
+    /// degrees, both axes where they differ by more.
+    void merge(const Directions &added, Directions &directions)
+    {
+      constexpr double sine = .707;
+      if (added.empty() || directions.size() == 2)
+        return;
+      if (directions.empty() || added.size() == 2)
+        directions = added;
+      else if (std::abs(cross(directions.front(), added.front())) > sine)
+        directions = {Vector2::UnitX(), Vector2::UnitY()};
+      else
+      {
+        const double sign = directions.front().dot(added.front()) < 0. ? -1. : 1.;
+        directions.front() = (directions.front() + sign * added.front()).normalized();
+      }
+    }
+
+    /// The directions that are left free by orthonormal or single supports.
+    Directions free_directions(const Directions &supported)
+    {
+      if (supported.empty())
+        return {Vector2::UnitX(), Vector2::UnitY()};
+      if (supported.size() == 2)
+        return {};
+      return {Vector2(-supported.front().y(), supported.front().x())};
+    }
+
+    Eigen::SparseMatrix<double> from_columns(const Index rows, const Index columns,
+                                             const std::vector<Eigen::Triplet<double>> &entries)
+    {
+      Eigen::SparseMatrix<double> matrix(rows, columns);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    }
+
+    Eigen::LLT<Eigen::MatrixXd> cholesky(Eigen::MatrixXd &matrix, Eigen::VectorXd &scale,
+                                         const std::string &name)
+    {
+      scale = matrix.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+      matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
+      Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+      if (factor.info() != Eigen::Success)
+        throw ComputationError("The boundary elements' " + name +
+                               " is not positive definite: edges of very different lengths close to each "
+                               "other, or a body thinner than its edges are long; refine the mesh there or "
+                               "choose another Adaptation/Estimator");
+      return factor;
+    }
+  } // namespace
+
+  BoundaryProblem::BoundaryProblem(const BoundarySpace &space,
+                                   const std::vector<std::vector<Vector2>> &supported,
+                                   const unsigned int traction_degree, const double poisson_ratio,
+                                   const GalerkinRule &rule)
+      : space_(space),
+        operators_(kernel_matrices(space.elements(), space.density_degree(), rule), poisson_ratio)
+  {
+    choose_unknowns(supported, traction_degree);
+    find_rigid_motions();
+    factorise();
+  }
+
+  void BoundaryProblem::choose_unknowns(const std::vector<std::vector<Vector2>> &supported,
+                                        const unsigned int traction_degree)
+  {
+    const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Directions> at_node(static_cast<std::size_t>(space_.n_nodes()));
+    int column = 0;
+    for (std::size_t i = 0; i < supported.size(); ++i)
+    {
+      for (const unsigned int node : space_.nodes(i))
+        merge(supported[i], at_node[node]);
+      for (const Vector2 &direction : supported[i])
+        for (Index k = 0; k <= traction_degree; ++k, ++column)
+          for (Index component = 0; component < 2; ++component)
+            entries.emplace_back(static_cast<int>(component * n + static_cast<Index>(i) * n_each + k), column,
+                                 direction[component]);
+    }
+    tractions_ = from_columns(2 * n, column, entries);
+
+    entries.clear();
+    column = 0;
+    for (std::size_t node = 0; node < at_node.size(); ++node)
+      for (const Vector2 &direction : free_directions(at_node[node]))
+      {
+        for (int component = 0; component < 2; ++component)
+          entries.emplace_back(component * static_cast<int>(space_.n_nodes()) + static_cast<int>(node),
+                               column, direction[component]);
+        ++column;
+      }
+    displacements_ = from_columns(2 * space_.n_nodes(), column, entries);
+    free_ = {space_.displacements().values * displacements_, space_.displacements().slopes * displacements_};
+  }
+
+  void BoundaryProblem::find_rigid_motions()
+  {
+    constexpr double none = 1e-8; // of a unit motion
+    const Index n = space_.n_nodes();
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(2 * n, 3);
+    motions.col(0).head(n).setOnes();
+    motions.col(1).tail(n).setOnes();
+    for (Index node = 0; node < n; ++node)
+    {
+      motions(node, 2) = -space_.node_places()[static_cast<std::size_t>(node)].imag();
+      motions(n + node, 2) = space_.node_places()[static_cast<std::size_t>(node)].real();
+    }
+    const Eigen::MatrixXd free = displacements_.transpose() * motions;
+    const Eigen::MatrixXd prevented = motions - displacements_ * free;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(prevented, Eigen::ComputeThinV);
+    const double size = std::sqrt(static_cast<double>(n));
+    Index n_free = 0;
+    while (n_free < 3 && svd.singularValues()[2 - n_free] < none * size)
+      ++n_free;
+    rigid_ = motions * svd.matrixV().rightCols(n_free);
+    for (Index k = 0; k < n_free; ++k)
+      rigid_.col(k).normalize();
+  }
+
+  void BoundaryProblem::factorise()
+  {
+    Eigen::MatrixXd single = operators_.single_layer(tractions_, tractions_);
+    mixed_ = operators_.double_layer(tractions_, free_);
+    Eigen::MatrixXd schur = operators_.hypersingular(free_, free_);
+    const Eigen::MatrixXd rigid = displacements_.transpose() * rigid_;
+    if (rigid.cols() > 0)
+      schur += schur.diagonal().mean() * rigid * rigid.transpose();
+    if (single.rows() > 0)
+    {
+      single_layer_ = cholesky(single, traction_scale_, "single layer");
+      mixed_ = traction_scale_.asDiagonal() * mixed_;
+      single_layer_.matrixL().solveInPlace(mixed_);
+      schur.selfadjointView<Eigen::Lower>().rankUpdate(mixed_.transpose());
+      schur.triangularView<Eigen::StrictlyUpper>() = schur.transpose();
+    }
+    if (schur.rows() > 0)
+      schur_complement_ = cholesky(schur, displacement_scale_, "Schur complement");
+  }
+
+  void BoundaryProblem::check_balance(const Eigen::VectorXd &traction) const
+  {
+    constexpr double tolerance = 1e-6;
+    if (rigid_.cols() == 0)
+      return;
+    const Eigen::SparseMatrix<double> known = as_basis(traction);
+    const Eigen::MatrixXd basis = space_.displacements().values * rigid_;
+    const Eigen::MatrixXd work = operators_.mass(basis.sparseView(), known).toDense();
+    const double size = std::sqrt((operators_.mass(known, known).toDense())(0, 0)) * basis.norm();
+    if (work.cwiseAbs().maxCoeff() <= tolerance * size)
+      return;
+    std::ostringstream text;
+    text << "The load of a body is not balanced about a rigid motion that its sides do not hinder (work "
+         << work.cwiseAbs().maxCoeff() / size
+         << " of the size of the load): boundary elements cannot solve it; give the body a support on a side "
+            "instead of at a point, or choose another Adaptation/Estimator";
+    throw ComputationError(text.str());
+  }
+
+  BoundaryState BoundaryProblem::solve(const BoundaryState &known) const
+  {
+    check_balance(known.traction);
+    // What is given: t_N, and u_D as the part of the displacement along supported directions.
+    const Eigen::VectorXd given =
+        known.displacement - displacements_ * (displacements_.transpose() * known.displacement);
+    const DisplacementBasis u_d{as_basis(space_.displacements().values * given),
+                                as_basis(space_.displacements().slopes * given)};
+    const LegendreBasis t_n = as_basis(known.traction);
+    BoundaryState state{known.traction, given};
+    Eigen::VectorXd g = .5 * operators_.mass(free_.values, t_n).toDense() -
+                        operators_.double_layer(t_n, free_).transpose() -
+                        operators_.hypersingular(free_, u_d);
+    Eigen::VectorXd f(0);
+    if (tractions_.cols() > 0)
+    {
+      f = .5 * operators_.mass(tractions_, u_d.values).toDense() + operators_.double_layer(tractions_, u_d) -
+          operators_.single_layer(tractions_, t_n);
+      f = single_layer_.matrixL().solve(traction_scale_.cwiseProduct(f));
+      g -= mixed_.transpose() * f;
+    }
+    if (g.size() > 0)
+    {
+      const Eigen::VectorXd u =
+          displacement_scale_.cwiseProduct(schur_complement_.solve(displacement_scale_.cwiseProduct(g)));
+      state.displacement += displacements_ * u;
+      if (f.size() > 0)
+        f += mixed_ * u;
+    }
+    if (f.size() > 0)
+      state.traction += tractions_ * traction_scale_.cwiseProduct(single_layer_.matrixU().solve(f));
+    return state;
+  }
+} // namespace abut
