@@ -14,7 +14,7 @@ namespace abut
 
   std::array<double, max_density_degree + 1> legendre_values(const double eta)
   {
-    std::array<double, max_density_degree + 1> p{1., eta};
+    std::array<double, max_density_degree + 1> p{{1., eta}};
     for (unsigned int n = 1; n < max_density_degree; ++n)
       p[n + 1] = ((2. * n + 1.) * eta * p[n] - n * p[n - 1]) / (n + 1.);
     return p;

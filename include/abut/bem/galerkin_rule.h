@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace abut
+{
+  /**
+   * How the double integrals of a pair of elements are formed. Near pairs: over the larger element in closed
+   * form, over the smaller one (the outer one) by Gauss points on pieces of it. Those integrals over the
+   * larger element are analytic away from its two ends, so a piece may be as long as `piece_length` times its
+   * distance to either end; halving stops at 2^-40 of the element. A piece that starts at a shared vertex
+   * takes Gauss points in v, at the distance v^grading from the vertex, and is half as long. Far pairs: Gauss
+   * points on both.
+   */
+  struct GalerkinRule
+  {
+    /// Points on an element whose partner lies at least `distance` of its own lengths away.
+    struct FarPoints
+    {
+      double distance;
+      unsigned int n_points;
+    };
+
+    /// Relative errors below 1e-13 of a pair's largest integral, for every degree.
+    static GalerkinRule precise();
+    /// Relative errors up to about 1e-4, in a quarter of the time: for the solution of an error estimator.
+    static GalerkinRule estimating();
+
+    unsigned int touching_points;
+    unsigned int grading;
+    unsigned int near_points;
+    double piece_length;
+    std::vector<FarPoints> far; ///< by growing distance; nearer than the first one is near
+
+    /// For polynomials above degree 1 one more point per two degrees, at any distance.
+    unsigned int points(const unsigned int n_points, const unsigned int degree) const
+    {
+      return n_points + degree / 2;
+    }
+  };
+
+  /// Gauss points on -1 < eta < 1 and w_q P_n(eta_q), a row for every point, a column for every degree.
+  struct LegendreRule
+  {
+    LegendreRule(unsigned int n_points, unsigned int degree);
+
+    Eigen::ArrayXd points;
+    Eigen::MatrixXd weighted;
+  };
+} // namespace abut

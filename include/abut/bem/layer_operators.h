@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/bem/kernel_matrices.h>
+
+#include <Eigen/SparseCore>
+
+namespace abut
+{
+  /**
+   * A basis of fields on the boundary: a column for every unknown, a row for every component, element and
+   * Legendre polynomial; row = component n + element (degree + 1) + degree of the polynomial, n the size of
+   * the KernelMatrices.
+   */
+  using LegendreBasis = Eigen::SparseMatrix<double>;
+
+  /// Continuous displacements, or one such displacement as a single column.
+  struct DisplacementBasis
+  {
+    LegendreBasis values;
+    LegendreBasis slopes; ///< derivatives with respect to arc length, with the body on the left
+  };
+
+  /**
+   * The boundary operators of plane strain for G = 1, V, K and W of t = traction, u = displacement on the
+   * boundary of a body. With k = 3 - 4 nu and the fundamental solution
+   *
+   *   U = (1/(4 pi (1+k))) [-2 k ln|w| I + I + (Re, -Im; -Im, -Re) conj(w)/w],   w = y - x,
+   *
+   * V t = int U t, K u = -int T u as a principal value, with T the traction of U at y, and
+   * W u = -(traction of K u): of a displacement without loads inside,
+   *
+   *   V t = (M/2 + K) u,   W u = (M^T/2 - K^T) t.
+   *
+   * K u = K_L u + (2 V - L)(-u_2', u_1'), K_L the double layer and L the single layer of the Laplacian, and
+   * <W u, v> = int int v' [4 V - 2 (1-2nu)/(1-nu) L] u' need no principal value. Hsiao & Wendland, Boundary
+   * Integral Equations, Lemma 2.3.1; Sutradhar, Paulino & Gray, Symmetric Galerkin Boundary Element Method.
+   * For another G: V/G and G W. V is positive definite while the body fits into a circle of radius
+   * exp(1/(2 k)), the degenerate scale: divide coordinates by the diameter.
+   */
+  class LayerOperators
+  {
+  public:
+    LayerOperators(KernelMatrices kernels, double poisson_ratio);
+
+    const KernelMatrices &kernels() const { return kernels_; }
+    double poisson_ratio() const { return poisson_ratio_; }
+
+    /// <left, V right>
+    Eigen::MatrixXd single_layer(const LegendreBasis &left, const LegendreBasis &right) const;
+    /// <left, K right>
+    Eigen::MatrixXd double_layer(const LegendreBasis &left, const DisplacementBasis &right) const;
+    /// <left, W right>
+    Eigen::MatrixXd hypersingular(const DisplacementBasis &left, const DisplacementBasis &right) const;
+    /// <left, right>
+    LegendreBasis mass(const LegendreBasis &left, const LegendreBasis &right) const;
+
+  private:
+    /// The kernel log ln|w| I + even [I + (Re, -Im; -Im, -Re) conj(w)/w].
+    struct Kernel
+    {
+      double log, even;
+    };
+
+    /// Adds the potential of a density: `value` times the Legendre polynomial of the row, in one component.
+    void add(const Kernel &kernel, Eigen::Index component, Eigen::Index row, double value,
+             Eigen::VectorXd &potential) const;
+    /// Of a column of a basis.
+    void add(const Kernel &kernel, const LegendreBasis &basis, Eigen::Index column,
+             Eigen::VectorXd &potential) const;
+    void add_double_layer(const DisplacementBasis &basis, Eigen::Index column,
+                          Eigen::VectorXd &potential) const;
+
+    KernelMatrices kernels_;
+    double poisson_ratio_;
+    Kernel single_, rotated_, hypersingular_; ///< of V, 2 V - L and W
+  };
+
+  /// A known field, in the rows of a LegendreBasis, as a basis of its own.
+  LegendreBasis as_basis(const Eigen::VectorXd &field);
+} // namespace abut
