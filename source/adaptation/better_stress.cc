@@ -5,11 +5,16 @@
 
 namespace abut
 {
+  dealii::Quadrature<2> comparison_rule(const Space &space)
+  {
+    return gauss_rule(space, space.degree() + 1);
+  }
+
   CellErrors compare(const BodySolution &solution, const BetterStress &better)
   {
     const Space &space = solution.body.space();
     const Material material = solution.body.material();
-    const dealii::Quadrature<2> rule = gauss_rule(space, space.degree() + 1);
+    const dealii::Quadrature<2> rule = comparison_rule(space);
     dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(), rule,
                                dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
                                    dealii::update_quadrature_points);
@@ -23,6 +28,7 @@ namespace abut
       values.reinit(cell);
       cell->get_dof_indices(dofs);
       better(cell, values, stress);
+      errors.better.insert(errors.better.end(), stress.begin(), stress.end());
       const Eigen::Index index = cell->active_cell_index();
       for (const unsigned int q : values.quadrature_point_indices())
       {

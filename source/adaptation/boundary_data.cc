@@ -2,7 +2,10 @@
 #include <abut/adaptation/boundary_data.h>
 #include <abut/bem/legendre_moments.h>
 #include <abut/elasticity/assembly.h>
+#include <abut/trace/applied_traction.h>
 #include <abut/user_error.h>
+
+#include <Eigen/SparseCholesky>
 
 #include <cmath>
 
@@ -130,20 +133,59 @@ namespace abut
   BoundaryState BoundaryData::known(const BodySolution &solution) const
   {
     BoundaryState state{prescribed_, space_.trace_of(solution.deformation) - uniform_displacement_};
-    for (std::size_t k = 0; k < solution.segment_forces.size(); ++k)
+    for (std::size_t k = 0; k < body_.contact_sides().size(); ++k)
     {
       const Trace &side = body_.contact_sides()[k];
-      const auto n_nodes = static_cast<Index>(side.basis().degree() + 1);
+      const Eigen::VectorXd traction =
+          applied_traction(side, solution.contact_forces.segment(body_.trace_offset(k),
+                                                                 2 * static_cast<Index>(side.n_nodes())));
       for (std::size_t i = 0; i < side.segments().size(); ++i)
       {
-        const Eigen::VectorXd forces =
-            solution.segment_forces[k].segment(2 * n_nodes * static_cast<Index>(i), 2 * n_nodes);
-        add_moments(first_element_[k] + i,
-                    Eigen::Map<const Eigen::Matrix2Xd>(forces.data(), 2, n_nodes).transpose(),
-                    state.traction);
+        const Segment &segment = side.segments()[i];
+        Eigen::MatrixX2d values(static_cast<Index>(segment.nodes.size()), 2);
+        for (Index j = 0; j < values.rows(); ++j)
+          values.row(j) = traction.segment<2>(2 * segment.nodes[static_cast<std::size_t>(j)]).transpose();
+        add_moments(first_element_[k] + i, segment_mass(side, segment) * values, state.traction);
       }
     }
     return state;
+  }
+
+  Eigen::VectorXd BoundaryData::support_traction(const Eigen::VectorXd &support_forces) const
+  {
+    const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    const auto at_nodes = supported_at_nodes(space_, supported_);
+    // Columns: a unit displacement of a node along a supported direction; each element sees its own part.
+    std::vector<Eigen::Triplet<double>> columns;
+    int n_columns = 0;
+    for (std::size_t node = 0; node < at_nodes.size(); ++node)
+      for (const Vector2 &direction : at_nodes[node])
+      {
+        for (int component = 0; component < 2; ++component)
+          columns.emplace_back(component * static_cast<int>(space_.n_nodes()) + static_cast<int>(node),
+                               n_columns, direction[component]);
+        ++n_columns;
+      }
+    Eigen::SparseMatrix<double> motions(2 * space_.n_nodes(), n_columns), seen(2 * n, 2 * n);
+    motions.setFromTriplets(columns.begin(), columns.end());
+    std::vector<Eigen::Triplet<double>> parts;
+    Eigen::VectorXd mass(2 * n);
+    for (std::size_t element = 0; element < supported_.size(); ++element)
+      for (Index k = 0; k < n_each; ++k)
+      {
+        const Index row = static_cast<Index>(element) * n_each + k;
+        mass[row] = mass[n + row] = space_.elements()[element].length / (2. * static_cast<double>(k) + 1.);
+        for (const Vector2 &d : supported_[element])
+          for (Index i = 0; i < 2; ++i)
+            for (Index j = 0; j < 2; ++j)
+              parts.emplace_back(static_cast<int>(i * n + row), static_cast<int>(j * n + row), d[i] * d[j]);
+      }
+    seen.setFromTriplets(parts.begin(), parts.end());
+    const Eigen::SparseMatrix<double> densities = seen * space_.displacements().values * motions;
+    const Eigen::SparseMatrix<double> matrix = densities.transpose() * mass.asDiagonal() * densities;
+    const Eigen::VectorXd forces =
+        motions.transpose() * space_.trace_of(support_forces) / body_.material().mu();
+    return densities * Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(forces);
   }
 
   std::vector<dealii::types::boundary_id> all_boundaries(const Body &body)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/fe_be.h>
 #include <abut/adaptation/kelly.h>
 #include <abut/adaptation/spr.h>
 #include <abut/adaptation/zz.h>
@@ -7,7 +8,8 @@
 
 namespace abut
 {
-  std::unique_ptr<Indicator> make_indicator(const EstimatorKind kind)
+  std::unique_ptr<Indicator> make_indicator(const EstimatorKind kind,
+                                            const BoundarySolution boundary_solution)
   {
     switch (kind)
     {
@@ -19,6 +21,8 @@ namespace abut
       return std::make_unique<ZZIndicator>();
     case EstimatorKind::spr:
       return std::make_unique<SPRIndicator>();
+    case EstimatorKind::fe_be:
+      return std::make_unique<FEBEIndicator>(boundary_solution);
     }
     return {};
   }

@@ -70,6 +70,16 @@ namespace abut
     }
   } // namespace
 
+  std::vector<Directions> supported_at_nodes(const BoundarySpace &space,
+                                             const std::vector<Directions> &supported)
+  {
+    std::vector<Directions> at_node(static_cast<std::size_t>(space.n_nodes()));
+    for (std::size_t i = 0; i < supported.size(); ++i)
+      for (const unsigned int node : space.nodes(i))
+        merge(supported[i], at_node[node]);
+    return at_node;
+  }
+
   BoundaryProblem::BoundaryProblem(const BoundarySpace &space,
                                    const std::vector<std::vector<Vector2>> &supported,
                                    const unsigned int traction_degree, const double poisson_ratio,
@@ -87,22 +97,18 @@ namespace abut
   {
     const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
     std::vector<Eigen::Triplet<double>> entries;
-    std::vector<Directions> at_node(static_cast<std::size_t>(space_.n_nodes()));
     int column = 0;
     for (std::size_t i = 0; i < supported.size(); ++i)
-    {
-      for (const unsigned int node : space_.nodes(i))
-        merge(supported[i], at_node[node]);
       for (const Vector2 &direction : supported[i])
         for (Index k = 0; k <= traction_degree; ++k, ++column)
           for (Index component = 0; component < 2; ++component)
             entries.emplace_back(static_cast<int>(component * n + static_cast<Index>(i) * n_each + k), column,
                                  direction[component]);
-    }
     tractions_ = from_columns(2 * n, column, entries);
 
     entries.clear();
     column = 0;
+    const std::vector<Directions> at_node = supported_at_nodes(space_, supported);
     for (std::size_t node = 0; node < at_node.size(); ++node)
       for (const Vector2 &direction : free_directions(at_node[node]))
       {

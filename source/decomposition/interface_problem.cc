@@ -105,24 +105,6 @@ namespace abut
     return observers_[body].topRows(n_pressures()).transpose() * pressures;
   }
 
-  std::vector<Eigen::VectorXd> InterfaceProblem::segment_forces(const std::size_t body,
-                                                                const Eigen::VectorXd &pressures) const
-  {
-    std::vector<Eigen::VectorXd> forces;
-    for (const Trace &side : bodies_[body]->contact_sides())
-      forces.push_back(Eigen::VectorXd::Zero(side.n_segment_components()));
-    for (std::size_t i = 0; i < pairs_->size(); ++i)
-    {
-      const ContactPair &pair = (*pairs_)[i];
-      const auto own = pressures.segment(pressure_offsets_[i], pair.n_multipliers());
-      if (pair.slave().body == body)
-        forces[pair.slave().side] += pair.coupling().slave_by_segment.transpose() * own;
-      if (pair.master().body == body)
-        forces[pair.master().side] += pair.coupling().master_by_segment.transpose() * own;
-    }
-    return forces;
-  }
-
   Eigen::MatrixXd InterfaceProblem::response_of(const std::size_t body,
                                                 const Eigen::MatrixXd &displacements) const
   {

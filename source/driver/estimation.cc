@@ -76,15 +76,14 @@ namespace abut
   }
 
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
-                      const InterfaceProblem &problem, const std::vector<BodyResult> &bodies,
-                      const Eigen::VectorXd &traction)
+                      const std::vector<BodyResult> &bodies)
   {
     Estimation estimation;
     estimation.errors.resize(bodies.size());
     estimation.eta.resize(bodies.size());
     for_each_body(bodies.size(), [&](const std::size_t a) {
-      const Eigen::VectorXd forces = problem.contact_forces(a, traction);
-      estimation.errors[a] = indicator.estimate({*bodies[a].body, bodies[a].deformation, forces});
+      estimation.errors[a] =
+          indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].contact_forces});
       estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
     });
     return estimation;

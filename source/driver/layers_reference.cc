@@ -135,22 +135,28 @@ namespace abut
       return result;
     }
 
-    /// The pressure that a pair applies, over x of the slave's own frame.
-    std::vector<PressurePiece> pressure_pieces(const PairResult &pair, const Placement &placement,
-                                               const double length)
+    /// The pressure that was applied to a body's contact side, over x of its own frame.
+    std::vector<PressurePiece> pressure_pieces(const BodyResult &result, const double length)
     {
-      const Trace &slave = *pair.slave;
-      const std::vector<Eigen::VectorXd> pressures = applied_pressure(slave, pair.pressures);
+      const Trace &side = result.body->contact_sides().front();
+      const Placement &placement = result.body->description().placement;
+      const Eigen::VectorXd traction = applied_traction(side, result.contact_forces);
       const auto own_x = [&](const unsigned int node) {
-        return std::clamp(placement.point_to_own(slave.node_points()[node]).x(), 0., length);
+        return std::clamp(placement.point_to_own(side.node_points()[node]).x(), 0., length);
       };
       std::vector<PressurePiece> pieces;
-      for (std::size_t i = 0; i < pressures.size(); ++i)
+      for (const Segment &segment : side.segments())
       {
-        const auto &nodes = slave.segments()[i].nodes;
-        const double first = own_x(nodes.front()), last = own_x(nodes.back());
-        const Eigen::VectorXd values = first < last ? pressures[i] : Eigen::VectorXd(pressures[i].reverse());
-        pieces.push_back({std::min(first, last), std::max(first, last), powers(slave.basis(), values)});
+        Eigen::VectorXd values(static_cast<Eigen::Index>(segment.nodes.size()));
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+        {
+          const unsigned int node = segment.nodes[static_cast<std::size_t>(i)];
+          values[i] = -traction.segment<2>(2 * node).dot(side.node_normals()[node]);
+        }
+        const double first = own_x(segment.nodes.front()), last = own_x(segment.nodes.back());
+        if (first > last)
+          values.reverseInPlace();
+        pieces.push_back({std::min(first, last), std::max(first, last), powers(side.basis(), values)});
       }
       return pieces;
     }
@@ -165,7 +171,6 @@ namespace abut
       contact_on_top_[index] = side.boundary == "top";
       thickness_[index] = scene.bodies[index].size[1];
     }
-    slave_placement_ = scene.bodies[scene.body_index(contact.slave.body)].placement;
   }
 
   template <typename Field>
@@ -187,13 +192,12 @@ namespace abut
     });
   }
 
-  OwnStress LayersReference::response(const std::size_t body, const std::vector<PairResult> &pairs) const
+  OwnStress LayersReference::response(const std::size_t body, const BodyResult &result) const
   {
     const double length = solution_.data().length;
     if (solution_.data().ends == Layer::Ends::infinite)
       return {}; // the scene has ends
-    const auto pressure =
-        std::make_shared<PiecewisePressure>(length, pressure_pieces(pairs.front(), slave_placement_, length));
+    const auto pressure = std::make_shared<PiecewisePressure>(length, pressure_pieces(result, length));
     const auto layer = std::make_shared<LayerResponse>(solution_.data().layers.at(body), pressure);
     return in_own_frame(body, [layer](const Vector2 &point) { return layer->stress(point); });
   }

@@ -3,6 +3,7 @@
 // What a pass tells: results, estimates, true errors, and whether it is the last one.
 
 #include <abut/decomposition/neumann.h>
+#include <abut/driver/quality.h>
 #include <abut/driver/simulation.h>
 #include <abut/driver/stopwatch.h>
 #include <abut/driver/true_errors.h>
@@ -27,8 +28,19 @@ namespace abut
     if (!indicator_)
       return;
     const Stopwatch watch(results.times.estimate);
-    estimation_ = estimate(*indicator_, scene_.adaptation, model_->problem(), results.bodies,
-                           results.iteration.traction);
+    const Eigen::VectorXd applied = applied_pressures(results.iteration);
+    for (std::size_t a = 0; a < bodies().size(); ++a)
+      results.bodies[a].contact_forces = model_->problem().contact_forces(a, applied);
+    estimation_ = estimate(*indicator_, scene_.adaptation, results.bodies);
+  }
+
+  Eigen::VectorXd Simulation::applied_pressures(const SchemeResult &iteration) const
+  {
+    const InterfaceProblem &problem = model_->problem();
+    const bool has_law = (problem.penalties().array() > 0.).all();
+    if (scene_.adaptation.estimator != EstimatorKind::fe_be || scene_.adaptation.combined || !has_law)
+      return iteration.traction;
+    return problem.pressures(iteration.response);
   }
 
   namespace
@@ -83,8 +95,7 @@ namespace abut
       const Stopwatch watch(results.times.reference);
       record.true_errors = results.true_errors = true_errors(*exact_, scene_, results.bodies, results.pairs);
       if (indicator_)
-        record.effectivity =
-            ratio(estimation_.stress_error(), response_error(*exact_, results.bodies, results.pairs));
+        record.quality = estimator_quality(*exact_, estimation_, results.bodies, results.pairs);
       record.effectivity_total = ratio(record.total, record.true_errors.energy);
     }
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() -

@@ -51,6 +51,7 @@ namespace abut
     const Eigen::VectorXd contact = model_->problem().contact_forces(index, results.iteration.traction);
     BodyResult result;
     result.body = &body;
+    result.contact_forces = contact;
     result.deformation = body.deformation(contact, results.rigid_displacement);
     result.displacement = result.deformation + body.rigid_motion(results.rigid_displacement);
     result.energy = body.strain_energy(result.deformation);

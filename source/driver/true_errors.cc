@@ -111,18 +111,4 @@ namespace abut
       errors.force = std::abs(pair.normal_force / slave.length_to_world(*force) - 1.);
     return errors;
   }
-
-  std::optional<double> response_error(const ExactSolution &exact, const std::vector<BodyResult> &bodies,
-                                       const std::vector<PairResult> &pairs)
-  {
-    Squares squares;
-    for (std::size_t a = 0; a < bodies.size(); ++a)
-    {
-      const OwnStress response = exact.response(a, pairs);
-      if (!response)
-        return {};
-      squares += compare(response, bodies[a]);
-    }
-    return std::sqrt(squares.stress_error);
-  }
 } // namespace abut

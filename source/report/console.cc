@@ -93,7 +93,7 @@ namespace abut
                          std::to_string(pass.counts.dofs), std::to_string(pass.steps), value(pass.eta_max, 3),
                          value(pass.discretisation, 3), short_number(pass.iteration, 3),
                          value(pass.true_errors.energy, 3), value(pass.true_errors.stress, 3),
-                         value(pass.true_errors.pressure, 3), value(pass.effectivity, 3),
+                         value(pass.true_errors.pressure, 3), value(pass.effectivity(), 3),
                          value(pass.effectivity_total, 3), short_number(pass.seconds, 3)});
       out << "\n  Passes; relative errors: estimated, iteration, true energy in the energy norm, stress in "
              "L2 over\n"

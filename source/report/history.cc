@@ -43,7 +43,7 @@ namespace abut
             cell(found.total),
             cell(found.true_errors.energy),
             cell(found.true_errors.stress),
-            cell(found.effectivity),
+            cell(found.effectivity()),
             cell(found.effectivity_total),
             exact_number(row.step.normal_force),
             exact_number(row.step.max_pressure),

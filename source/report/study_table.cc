@@ -50,7 +50,7 @@ namespace abut
                        short_number(pass.seconds, 3), std::to_string(pass.steps), shown(stress_error(pass)),
                        i == 0 ? "" : shown(order(run.passes[i - 1], pass)), shown(times_root(pass)),
                        shown(errors.energy), shown(errors.pressure), shown(errors.force), shown(pass.stress),
-                       shown(pass.effectivity)});
+                       shown(pass.effectivity())});
     }
     return aligned(table);
   }
@@ -70,7 +70,7 @@ namespace abut
             << ',' << pass.steps << ',' << exact_number(pass.seconds) << ',' << cell(pass.true_errors.stress)
             << ',' << cell(pass.true_errors.energy) << ',' << cell(pass.true_errors.pressure) << ','
             << cell(pass.true_errors.force) << ',' << cell(pass.stress) << ',' << cell(pass.discretisation)
-            << ',' << cell(pass.effectivity) << '\n';
+            << ',' << cell(pass.effectivity()) << '\n';
     return out.str();
   }
 } // namespace abut

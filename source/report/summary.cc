@@ -86,7 +86,7 @@ namespace abut
               {"total", number(pass.total)},
               {"stress", number(pass.stress)},
               {"eta_max", number(pass.eta_max)},
-              {"effectivity", number(pass.effectivity)},
+              {"effectivity", number(pass.effectivity())},
               {"effectivity_total", number(pass.effectivity_total)}};
     }
 
@@ -101,6 +101,33 @@ namespace abut
                 {"stress", "L2 over xx, yy, zz and twice xy, all bodies"},
                 {"pressure", "L2 on the slave side of the first contact"},
                 {"force", "normal force of the first contact"}}}};
+    }
+
+    Json square_summary(const ErrorSquares &squares, const double stress, const bool has_better)
+    {
+      if (!(squares.computed > 0.))
+        return nullptr;
+      const auto relative = [&](const double square) { return Json(std::sqrt(square / stress)); };
+      return {{"effectivity", squares.effectivity()},
+              {"better_ratio", has_better ? Json(squares.better_ratio()) : Json()},
+              {"computed_error", relative(squares.computed)},
+              {"better_error", has_better ? relative(squares.better) : Json()}};
+    }
+
+    /// What the indicator is worth, where the exact response to the applied traction is known.
+    Json quality_summary(const std::optional<EstimatorQuality> &quality)
+    {
+      if (!quality)
+        return nullptr;
+      const auto part = [&](const ErrorSquares &squares) {
+        return square_summary(squares, quality->stress, quality->has_better);
+      };
+      return {{"whole", part(quality->whole)},
+              {"boundary_cells", part(quality->boundary)},
+              {"contact_end_cells", part(quality->contact_end)},
+              {"interior_cells", part(quality->interior)},
+              {"pearson", number(quality->pearson)},
+              {"spearman", number(quality->spearman)}};
     }
 
     Json pass_summary(const PassRecord &pass)
@@ -120,8 +147,9 @@ namespace abut
               {"true_error_stress", number(pass.true_errors.stress)},
               {"true_error_pressure", number(pass.true_errors.pressure)},
               {"true_error_force", number(pass.true_errors.force)},
-              {"effectivity", number(pass.effectivity)},
+              {"effectivity", number(pass.effectivity())},
               {"effectivity_total", number(pass.effectivity_total)},
+              {"estimator", quality_summary(pass.quality)},
               {"change", number(pass.change)},
               {"normal_force", number(pass.normal_force)},
               {"max_pressure", number(pass.max_pressure)},

@@ -11,7 +11,14 @@ namespace abut
     const Choices<EstimatorKind> estimators{{"none", EstimatorKind::none},
                                             {"kelly", EstimatorKind::kelly},
                                             {"zz", EstimatorKind::zz},
-                                            {"spr", EstimatorKind::spr}};
+                                            {"spr", EstimatorKind::spr},
+                                            {"fe-be", EstimatorKind::fe_be}};
+
+    const Choices<BoundarySolution> boundary_solutions{
+        {"trace space", BoundarySolution::trace_space},
+        {"constant traction", BoundarySolution::constant_traction},
+        {"reference quality", BoundarySolution::reference_quality},
+        {"finite element trace", BoundarySolution::finite_element_trace}};
 
     const Choices<Normalisation> normalisations{{"rms", Normalisation::rms},
                                                 {"printed", Normalisation::printed}};
@@ -43,7 +50,7 @@ namespace abut
         return;
       if (parameters.estimator == EstimatorKind::none)
         throw UserError(
-            "Adaptation/Estimator: received `none` with Combined = true, allowed are kelly, zz, spr");
+            "Adaptation/Estimator: received `none` with Combined = true, allowed are kelly, zz, spr, fe-be");
       if (parameters.limit == 0.)
         throw UserError(
             "Adaptation/Limit: received `0` with Combined = true, whose passes end when eta is below "
@@ -59,7 +66,17 @@ namespace abut
         "How the stress error of a cell is estimated. kelly: jumps of the traction between cells. "
         "zz: against nodal averages of the stress, not for values at degree 2. spr: against polynomials "
         "fitted to the stress "
-        "around each vertex and to the known boundary tractions.");
+        "around each vertex and to the known boundary tractions. fe-be: against boundary elements on the "
+        "edges of the mesh, which get the same data (the paper); bodies with straight edges.");
+    prm.declare_entry(
+        "Boundary solution", "trace space", Patterns::Selection(words_of(boundary_solutions)),
+        "Boundary elements of the estimator fe-be for finite elements of degree p. trace space: "
+        "displacements "
+        "and discontinuous tractions of degree p, with a recovered tangential derivative. constant traction: "
+        "tractions of degree p - 1, nothing recovered (the paper to the letter). reference quality: "
+        "displacements of degree p + 1. finite element trace: no boundary elements are solved, displacements "
+        "and reactions of the finite elements enter the representation formula (cheap; no independent "
+        "check near nu = 1/2).");
     prm.declare_entry(
         "Normalisation", "rms", Patterns::Selection(words_of(normalisations)),
         "How eta relates the stress error of a cell to the mean stress of its body. rms: root of "
@@ -102,6 +119,8 @@ namespace abut
   {
     AdaptationParameters parameters;
     parameters.estimator = choose(estimators, prm.get("Estimator"), "Adaptation/Estimator");
+    parameters.boundary_solution =
+        choose(boundary_solutions, prm.get("Boundary solution"), "Adaptation/Boundary solution");
     parameters.normalisation = choose(normalisations, prm.get("Normalisation"), "Adaptation/Normalisation");
     parameters.limit = prm.get_double("Limit");
     parameters.marking = choose(markings, prm.get("Marking"), "Adaptation/Marking");

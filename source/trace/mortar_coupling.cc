@@ -22,7 +22,7 @@ namespace abut
     /// A quadrature point with what both curves show there.
     struct CouplingPoint
     {
-      std::size_t master;
+      const Segment *master;
       Vector2 normal;
       Eigen::VectorXd slave_values, master_values;
       double weight; // of arc length
@@ -42,8 +42,8 @@ namespace abut
 
       MortarCoupling run(const std::vector<Piece> &pieces)
       {
-        for (const Segment &segment : slave_.segments())
-          add_whole_weights(segment);
+        for (std::size_t i = 0; i < slave_.segments().size(); ++i)
+          add_whole_weights(slave_.segments()[i]);
         for (auto first = pieces.begin(); first != pieces.end();)
         {
           const auto last = std::find_if(
@@ -51,13 +51,11 @@ namespace abut
           std::vector<CouplingPoint> points;
           for (; first != last; ++first)
             add_points(*first, points);
-          integrate(std::prev(last)->slave_segment, points);
+          integrate(slave_.segments()[std::prev(last)->slave_segment], points);
         }
         drop_uncovered_nodes();
-        result_.slave_by_segment = assemble(slave_triplets_, slave_);
-        result_.master_by_segment = assemble(master_triplets_, master_);
-        result_.slave = result_.slave_by_segment * gather_segments(slave_);
-        result_.master = result_.master_by_segment * gather_segments(master_);
+        result_.slave = assemble(slave_triplets_, slave_);
+        result_.master = assemble(master_triplets_, master_);
         return std::move(result_);
       }
 
@@ -83,17 +81,15 @@ namespace abut
           const double s = piece.start + (piece.end - piece.start) * rule_.points[q];
           const Vector2 x = slave_.point(segment, s), n = Trace::averaged_normal(segment, s);
           const Projection projection = project(master_, opposite, x, n);
-          points.push_back({piece.master_segment, n, slave_.basis().values(s),
-                            master_.basis().values(projection.t),
+          points.push_back({&opposite, n, slave_.basis().values(s), master_.basis().values(projection.t),
                             (piece.end - piece.start) * rule_.weights[q] * slave_.tangent(segment, s).norm(),
                             gap_(x, projection.gap)});
         }
       }
 
       /// Adds the integrals over one slave segment, with the multipliers that are dual on its covered part.
-      void integrate(const std::size_t slave_segment, const std::vector<CouplingPoint> &points)
+      void integrate(const Segment &segment, const std::vector<CouplingPoint> &points)
       {
-        const Segment &segment = slave_.segments()[slave_segment];
         const Index n = static_cast<Index>(segment.nodes.size());
         Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
         Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
@@ -114,8 +110,8 @@ namespace abut
             const double weight = p.weight * psi[i];
             const auto row = segment.nodes[static_cast<std::size_t>(i)];
             result_.gap[row] += weight * p.gap;
-            add_row(row, -weight, p.slave_values, slave_segment, p.normal, slave_triplets_);
-            add_row(row, weight, p.master_values, p.master, p.normal, master_triplets_);
+            add_row(row, -weight, p.slave_values, segment, p.normal, slave_triplets_);
+            add_row(row, weight, p.master_values, *p.master, p.normal, master_triplets_);
           }
         }
         for (Index i = 0; i < n; ++i)
@@ -123,13 +119,12 @@ namespace abut
       }
 
       static void add_row(const unsigned int row, const double weight, const Eigen::VectorXd &values,
-                          const std::size_t segment, const Vector2 &normal, Triplets &triplets)
+                          const Segment &segment, const Vector2 &normal, Triplets &triplets)
       {
-        const Index first = 2 * static_cast<Index>(segment) * values.size();
-        for (Index j = 0; j < values.size(); ++j)
+        for (std::size_t j = 0; j < segment.nodes.size(); ++j)
           for (int component = 0; component < 2; ++component)
-            triplets.emplace_back(static_cast<int>(row), static_cast<int>(first + 2 * j) + component,
-                                  weight * values[j] * normal[component]);
+            triplets.emplace_back(static_cast<int>(row), static_cast<int>(2 * segment.nodes[j]) + component,
+                                  weight * values[static_cast<Index>(j)] * normal[component]);
       }
 
       void drop_uncovered_nodes()
@@ -150,7 +145,7 @@ namespace abut
                                                             const Trace &columns) const
       {
         Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(static_cast<Index>(slave_.n_nodes()),
-                                                            columns.n_segment_components());
+                                                            static_cast<Index>(2 * columns.n_nodes()));
         matrix.setFromTriplets(triplets.begin(), triplets.end());
         return matrix;
       }

@@ -105,18 +105,4 @@ namespace abut
       return {node_normals_[node]};
     return {corner->second[0], corner->second[1]};
   }
-
-  Eigen::SparseMatrix<double> gather_segments(const Trace &trace)
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    int row = 0;
-    for (const Segment &segment : trace.segments())
-      for (const unsigned int node : segment.nodes)
-        for (int component = 0; component < 2; ++component)
-          entries.emplace_back(row++, static_cast<int>(2 * node) + component, 1.);
-    Eigen::SparseMatrix<double> gather(trace.n_segment_components(),
-                                       static_cast<Eigen::Index>(2 * trace.n_nodes()));
-    gather.setFromTriplets(entries.begin(), entries.end());
-    return gather;
-  }
 } // namespace abut

@@ -59,7 +59,7 @@ void AdaptivePasses::print(const std::string &title) const
                        (log_unknowns(pass) - log_unknowns(passes_[i - 1]));
     std::cout << std::scientific << std::setprecision(3) << std::setw(13) << pass.true_errors.stress.value()
               << std::setw(18) << pass.stress.value() << std::fixed << std::setprecision(3) << std::setw(13)
-              << pass.effectivity.value() << '\n';
+              << pass.effectivity().value() << '\n';
   }
   std::cout << std::defaultfloat << std::setprecision(6) << std::flush;
 }

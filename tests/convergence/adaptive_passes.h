@@ -17,7 +17,7 @@ public:
   double last_energy_error() const { return passes_.back().true_errors.energy.value(); }
   double last_stress_error() const { return passes_.back().true_errors.stress.value(); }
   /// Estimated by true stress error of the last pass.
-  double last_effectivity() const { return passes_.back().effectivity.value(); }
+  double last_effectivity() const { return passes_.back().effectivity().value(); }
 
 private:
   void print(const std::string &title) const;

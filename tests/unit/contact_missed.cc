@@ -90,32 +90,36 @@ TEST(GapSamples, SmallestValueIsExactForParabolas)
   }
 }
 
-TEST(AppliedPressure, HasTheMomentsOfTheMultipliers)
+TEST(AppliedTraction, HasTheNodalForces)
 {
   for (const unsigned int degree : {1u, 2u, 3u})
   {
     const Layers layers("0", degree);
     const Trace &slave = layers.lower.contact_sides()[0];
-    const auto n = static_cast<Eigen::Index>(slave.n_nodes());
+    const auto n = static_cast<Eigen::Index>(2 * slave.n_nodes());
     std::srand(3);
-    const Eigen::VectorXd multipliers = Eigen::VectorXd::Random(n);
-    const std::vector<Eigen::VectorXd> pressures = applied_pressure(slave, multipliers);
+    const Eigen::VectorXd forces = Eigen::VectorXd::Random(n);
+    const Eigen::VectorXd traction = applied_traction(slave, forces);
     const GaussRule rule(8);
-    for (std::size_t k = 0; k < pressures.size(); ++k)
-    {
-      const Segment &segment = slave.segments()[k];
-      Eigen::VectorXd moments = Eigen::VectorXd::Zero(pressures[k].size()), whole = moments;
+    Eigen::VectorXd moments = Eigen::VectorXd::Zero(n), uniform = moments;
+    for (const Segment &segment : slave.segments())
       for (Eigen::Index q = 0; q < rule.points.size(); ++q)
       {
         const Eigen::VectorXd values = slave.basis().values(rule.points[q]);
-        moments += rule.weights[q] * segment.length * values.dot(pressures[k]) * values;
-        whole += rule.weights[q] * segment.length * values;
+        const double weight = rule.weights[q] * segment.length;
+        Vector2 t = Vector2::Zero();
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+          t += values[i] * traction.segment<2>(2 * segment.nodes[static_cast<std::size_t>(i)]);
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+        {
+          const Eigen::Index place = 2 * segment.nodes[static_cast<std::size_t>(i)];
+          moments.segment<2>(place) += weight * values[i] * t;
+          uniform.segment<2>(place) += weight * values[i] * Vector2(1., -2.);
+        }
       }
-      for (Eigen::Index i = 0; i < moments.size(); ++i)
-        EXPECT_NEAR(moments[i], multipliers[segment.nodes[static_cast<std::size_t>(i)]] * whole[i], 1e-14);
-    }
-    // A uniform pressure is applied as it is.
-    for (const Eigen::VectorXd &values : applied_pressure(slave, Eigen::VectorXd::Constant(n, 2.)))
-      EXPECT_LT((values.array() - 2.).abs().maxCoeff(), 1e-13);
+    EXPECT_LT((moments - forces).cwiseAbs().maxCoeff(), 1e-13);
+    const Eigen::VectorXd same = applied_traction(slave, uniform);
+    for (Eigen::Index i = 0; i < n; i += 2)
+      EXPECT_LT((same.segment<2>(i) - Vector2(1., -2.)).norm(), 1e-12);
   }
 }

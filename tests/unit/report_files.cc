@@ -130,7 +130,8 @@ namespace
       record.discretisation = .25;
       record.total = .375;
       record.true_errors = {.125, .0625, .03125, .75};
-      record.effectivity = 2.;
+      record.quality.emplace();
+      record.quality->whole = {4., 1., 0.};
       record.effectivity_total = 3.;
       record.stress = 7.;
       record.change = 9.;

@@ -41,6 +41,9 @@ namespace abut
     const std::vector<std::vector<Vector2>> &supported() const { return supported_; }
     /// What is known under a load, in the units of BoundaryState; less the UniformForce.
     BoundaryState known(const BodySolution &solution) const;
+    /// The traction along supported directions, continuous along each side, that does the work of the
+    /// supports' nodal forces (a finite-element vector).
+    Eigen::VectorXd support_traction(const Eigen::VectorXd &support_forces) const;
     const UniformForce &uniform_force() const { return uniform_; }
 
   private:

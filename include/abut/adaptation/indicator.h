@@ -15,9 +15,16 @@ namespace abut
     const Body &body;
     const Eigen::VectorXd &deformation;    ///< all unknowns, less the rigid motion
     const Eigen::VectorXd &contact_forces; ///< trace vector
-    /// The same, apart for every segment of each contact side (InterfaceProblem::segment_forces); may be
-    /// empty for indicators that do not ask for it.
-    std::vector<Eigen::VectorXd> segment_forces = {};
+  };
+
+  /// What boundary elements cost: one body, one estimate. Seconds of wall clock.
+  struct BoundaryCost
+  {
+    Eigen::Index elements = 0;
+    Eigen::Index unknowns = 0;
+    double assemble = 0.; ///< operators and factors; zero where those of the mesh were there already
+    double solve = 0.;    ///< right side and solution
+    double evaluate = 0.; ///< stress at the points
   };
 
   /// Estimated errors of a body's stress sigma_F, by active cell index.
@@ -28,6 +35,9 @@ namespace abut
     Eigen::VectorXd areas;
     double stress_norm = 0.; ///< L2 norm of the better stress (or of sigma_F) over the body
     double energy_norm = 0.; ///< and its energy norm
+    /// The better stress at the points of `comparison_rule`, cell by cell; empty for kelly, which has none.
+    std::vector<Stress> better;
+    BoundaryCost boundary; ///< of fe-be
   };
 
   /// Estimates the error of a body's stress in each cell from the body's solution alone.
@@ -36,10 +46,16 @@ namespace abut
   public:
     virtual ~Indicator() = default;
     virtual CellErrors estimate(const BodySolution &solution) const = 0;
+    /// Throws UserError, beginning with the body's name, for a body that the indicator is not made for.
+    virtual void check(const Body &) const {}
   };
 
   /// The indicator that a scene asks for; none for `EstimatorKind::none`.
-  std::unique_ptr<Indicator> make_indicator(EstimatorKind kind);
+  std::unique_ptr<Indicator>
+  make_indicator(EstimatorKind kind, BoundarySolution boundary_solution = BoundarySolution::trace_space);
+
+  /// The points where a better stress is compared with sigma_F: p + 1 Gauss points in each direction.
+  dealii::Quadrature<2> comparison_rule(const Space &space);
 
   /**
    * eta of each cell, relative to the mean stress of the body: with `rms`

@@ -16,6 +16,11 @@ namespace abut
     Eigen::VectorXd displacement;
   };
 
+  /// The directions along which the displacement of every node is given: those of its elements, their mean
+  /// where they differ by less than 45 degrees, else both axes.
+  std::vector<std::vector<Vector2>> supported_at_nodes(const BoundarySpace &space,
+                                                       const std::vector<std::vector<Vector2>> &supported);
+
   /**
    * The mixed boundary value problem of plane strain by symmetric Galerkin boundary elements (Sirtori;
    * Hartmann, Katz and Protopsaltis; see Bonnet, Maier and Polizzotto, Appl. Mech. Rev. 51 (1998) 669). On
@@ -25,9 +30,10 @@ namespace abut
    *   [ V_DD  -K_DN ; K_DN^T  W_NN ] [ t ; u ] = [ (M/2 + K) u_D - V t_N ; (M^T/2 - K^T) t_N - W u_D ]
    *
    * Cholesky of V_DD, then of W_NN + K_DN^T V_DD^-1 K_DN, both scaled to a unit diagonal: made once, used for
-   * every load. Displacements at a node that touches a supported element are given; along its mean direction
-   * where neighbouring elements differ by less than 45 degrees, else wholly. Rigid motions that the supports
-   * leave free are fixed by a term of their rank, which does not change the stress of a balanced load.
+   * every load. Displacements are given at the nodes that touch a supported element (supported_at_nodes);
+   * where supports follow a polygon, tractions do no work on what is free there. Rigid motions that the
+   * supports leave free are fixed by a term of their rank, which does not change the stress of a balanced
+   * load.
    */
   class BoundaryProblem
   {

@@ -48,9 +48,6 @@ namespace abut
 
     /// Consistent nodal forces on a body's contact sides, for pressures in columns.
     Eigen::MatrixXd contact_forces(std::size_t body, const Eigen::MatrixXd &pressures) const;
-    /// The same for one vector of pressures, apart for every segment: for each contact side of the body the
-    /// moments int t phi_j over its segments (see Trace::n_segment_components).
-    std::vector<Eigen::VectorXd> segment_forces(std::size_t body, const Eigen::VectorXd &pressures) const;
     /// The response that displacements of the bodies' contact sides (trace vectors) are, initial gaps
     /// included.
     Eigen::VectorXd observe(const std::vector<Eigen::VectorXd> &displacements) const;

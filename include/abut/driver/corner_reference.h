@@ -19,7 +19,7 @@ namespace abut
     OwnStress stress(std::size_t body) const override;
     std::function<Vector2(const Vector2 &)> displacement(std::size_t body) const override;
     /// There is no contact whose pressure could be in error.
-    OwnStress response(std::size_t body, const std::vector<PairResult> & /*pairs*/) const override
+    OwnStress response(std::size_t body, const BodyResult & /*result*/) const override
     {
       return stress(body);
     }

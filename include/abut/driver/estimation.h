@@ -21,10 +21,9 @@ namespace abut
     double eta_max(const Scene &scene) const;
   };
 
-  /// `traction`: the pressures that the displacements are in equilibrium with.
+  /// Of every body's deformation and contact forces.
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
-                      const InterfaceProblem &problem, const std::vector<BodyResult> &bodies,
-                      const Eigen::VectorXd &traction);
+                      const std::vector<BodyResult> &bodies);
 
   /**
    * The cells to be changed, body by body: those that the marking of the scene chooses in bodies that adapt,

@@ -33,12 +33,9 @@ namespace abut
     virtual std::function<double(const Vector2 &own_point)> pressure() const { return {}; }
     /// The resultant of the contact pressure.
     virtual std::optional<double> force() const { return {}; }
-    /// The stress with which a body answers the contact pressure that was applied (`applied_pressure`), apart
-    /// from any error of that pressure: sigma* of an estimator's effectivity.
-    virtual OwnStress response(std::size_t /*body*/, const std::vector<PairResult> & /*pairs*/) const
-    {
-      return {};
-    }
+    /// The stress with which a body answers the contact traction that was applied (`applied_traction`), apart
+    /// from any error of that traction: sigma* of an estimator's effectivity.
+    virtual OwnStress response(std::size_t /*body*/, const BodyResult & /*result*/) const { return {}; }
   };
 
   /// Checks that the scene is the solution's. Throws UserError; empty where the scene names none.

@@ -20,7 +20,7 @@ namespace abut
     OwnStress stress(std::size_t body) const override;
     std::function<Vector2(const Vector2 &)> displacement(std::size_t body) const override;
     /// The pressure is given, not found: only its quadrature is in error.
-    OwnStress response(std::size_t body, const std::vector<PairResult> & /*pairs*/) const override
+    OwnStress response(std::size_t body, const BodyResult & /*result*/) const override
     {
       return stress(body);
     }

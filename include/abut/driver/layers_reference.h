@@ -21,7 +21,7 @@ namespace abut
     OwnStress stress(std::size_t body) const override;
     std::function<double(const Vector2 &)> pressure() const override;
     std::optional<double> force() const override { return solution_.force(); }
-    OwnStress response(std::size_t body, const std::vector<PairResult> &pairs) const override;
+    OwnStress response(std::size_t body, const BodyResult &result) const override;
 
   private:
     /// A field of the layer's frame, contact above, in the body's own frame.
@@ -29,7 +29,6 @@ namespace abut
 
     std::array<bool, 2> contact_on_top_;
     std::array<double, 2> thickness_;
-    Placement slave_placement_;
     LayersContact solution_;
   };
 } // namespace abut

@@ -12,9 +12,4 @@ namespace abut
    */
   TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
                          const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs);
-
-  /// L2 norm, all bodies, of the stress' difference from the exact response to the pressure that was applied;
-  /// empty where the solution does not know that response.
-  std::optional<double> response_error(const ExactSolution &exact, const std::vector<BodyResult> &bodies,
-                                       const std::vector<PairResult> &pairs);
 } // namespace abut

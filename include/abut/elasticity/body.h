@@ -83,6 +83,9 @@ namespace abut
     }
     /// Forces of the supports, from the assembled stiffness.
     Reactions reactions(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const;
+    /// K u - f: what supports add to loads and contact forces, at every unknown; zero at hanging nodes.
+    Eigen::VectorXd support_forces(const Eigen::VectorXd &deformation,
+                                   const Eigen::VectorXd &contact_forces) const;
     /// Force of the rigid side on the body, along the direction of its resultant.
     double rigid_side_force(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const;
     /// Strain energy u . K u / 2.
@@ -106,9 +109,6 @@ namespace abut
     void collect_sides();
     void set_up_supports();
     void collect_loads();
-    /// K u - f: what supports add to loads and contact forces, at every unknown; zero at hanging nodes.
-    Eigen::VectorXd support_forces(const Eigen::VectorXd &deformation,
-                                   const Eigen::VectorXd &contact_forces) const;
     Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;
 
     BodyDescription description_;

@@ -23,6 +23,16 @@ namespace abut
     double square() const { return xx * xx + yy * yy + zz * zz + 2. * xy * xy; }
   };
 
+  inline Stress operator+(const Stress &a, const Stress &b)
+  {
+    return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy, a.zz + b.zz};
+  }
+
+  inline Stress operator*(const Stress &s, const double factor)
+  {
+    return {s.xx * factor, s.yy * factor, s.xy * factor, s.zz * factor};
+  }
+
   inline Stress operator-(const Stress &a, const Stress &b)
   {
     return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy, a.zz - b.zz};

@@ -5,6 +5,7 @@
 #include <abut/decomposition/scheme.h>
 #include <abut/elasticity/body.h>
 #include <abut/report/counts.h>
+#include <abut/report/estimator_quality.h>
 #include <abut/scene/scene.h>
 
 #include <limits>
@@ -26,10 +27,11 @@ namespace abut
   struct BodyResult
   {
     const Body *body = nullptr;
-    Eigen::VectorXd displacement; ///< all unknowns
-    Eigen::VectorXd deformation;  ///< the same less the body's rigid motion: stresses come from this one
-    double energy = 0.;           ///< strain energy
-    double max_von_mises = 0.;    ///< over the Gauss points
+    Eigen::VectorXd displacement;   ///< all unknowns
+    Eigen::VectorXd deformation;    ///< the same less the body's rigid motion: stresses come from this one
+    Eigen::VectorXd contact_forces; ///< a trace vector; that the estimated error refers to
+    double energy = 0.;             ///< strain energy
+    double max_von_mises = 0.;      ///< over the Gauss points
     Reactions reactions;
   };
 
@@ -77,13 +79,19 @@ namespace abut
     std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
     std::optional<double> total;          ///< root of the squares of discretisation and iteration
     TrueErrors true_errors;
-    std::optional<double> effectivity;       ///< estimated stress error by that against sigma*
+    std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
     std::optional<double> effectivity_total; ///< total by true_errors.energy
     /// Energy norm of the difference from the solution of the pass before, by that of the solution.
     std::optional<double> change;
     double normal_force = 0., max_pressure = 0.; ///< sum and largest over the pairs
     std::size_t n_missed = 0;                    ///< pieces of missed contact
     double seconds = 0.; ///< since the run began, without comparing with the exact solution
+
+    /// Estimated stress error by that against sigma*.
+    std::optional<double> effectivity() const
+    {
+      return quality ? std::optional<double>(quality->whole.effectivity()) : std::nullopt;
+    }
   };
 
   /// Why no further mesh was made, in a scene that adapts.

@@ -13,7 +13,17 @@ namespace abut
     none,
     kelly, ///< jumps of the traction between cells
     zz,    ///< Zienkiewicz and Zhu: against nodal averages of the stress
-    spr    ///< superconvergent patch recovery with the known boundary tractions
+    spr,   ///< superconvergent patch recovery with the known boundary tractions
+    fe_be  ///< the paper's: against boundary elements on the trace of the mesh
+  };
+
+  /// How the boundary elements of `fe_be` stand to finite elements of degree p.
+  enum class BoundarySolution
+  {
+    trace_space,         ///< displacements and discontinuous tractions of degree p, recovered du/ds
+    constant_traction,   ///< displacements of degree p, tractions of degree p - 1: the paper to the letter
+    reference_quality,   ///< displacements of degree p + 1, tractions of degree p
+    finite_element_trace ///< no boundary elements are solved: displacements and reactions of finite elements
   };
 
   /// How the estimated stress error of a cell is related to the mean stress of its body.
@@ -34,6 +44,7 @@ namespace abut
   struct AdaptationParameters
   {
     EstimatorKind estimator = EstimatorKind::none;
+    BoundarySolution boundary_solution = BoundarySolution::trace_space;
     Normalisation normalisation = Normalisation::rms;
     double limit = 0.; ///< delta: the run ends when eta is below it in every cell; 0: no limit
     Marking marking = Marking::doerfler;

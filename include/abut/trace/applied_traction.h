@@ -3,15 +3,16 @@
 
 #include <abut/trace/trace.h>
 
-#include <vector>
-
 namespace abut
 {
+  /// int phi_i phi_j over a segment.
+  Eigen::MatrixXd segment_mass(const Trace &side, const Segment &segment);
+
   /**
-   * The contact pressure sum_i p_i psi_i that the multipliers p_i apply to both bodies, as a polynomial on
-   * each segment of the slave side: its values at the segment's nodes. psi_i is dual to the trace's shape
-   * functions (see MortarCoupling; the master is taken to cover the side wholly), so that the pressure jumps
-   * at vertices: on each segment it has the moments int p phi_i = p_i int phi_i.
+   * The traction that nodal forces on a side stand for: the continuous t = sum_j t_j phi_j of the trace with
+   * int t . phi_i = f_i. Finite elements cannot tell it from any other traction with these forces, e.g. from
+   * that of the dual multipliers, which jumps at every vertex; for boundary elements and exact responses it
+   * is the smooth one. Trace vectors: forces per thickness, tractions as force per area.
    */
-  std::vector<Eigen::VectorXd> applied_pressure(const Trace &slave, const Eigen::VectorXd &multipliers);
+  Eigen::VectorXd applied_traction(const Trace &side, const Eigen::VectorXd &forces);
 } // namespace abut

@@ -28,9 +28,6 @@ namespace abut
     Eigen::SparseMatrix<double, Eigen::RowMajor> slave;
     /// +int psi_i n . phi_j over the master's points opposite: multipliers x master trace components.
     Eigen::SparseMatrix<double, Eigen::RowMajor> master;
-    /// The same, segment by segment: a column for each component at each node of each segment, in the order
-    /// of the segments (2 (p + 1) columns a segment, node by node). Added up at the nodes: `slave`, `master`.
-    Eigen::SparseMatrix<double, Eigen::RowMajor> slave_by_segment, master_by_segment;
     Eigen::VectorXd weights; ///< D_i = int phi_i over the covered part; 0: no multiplier
     Eigen::VectorXd gap;     ///< int psi_i g ds with the initial gap g (not divided by D_i)
     double covered_length = 0.;

@@ -4,8 +4,6 @@
 #include <abut/trace/lagrange_basis.h>
 #include <abut/vector2.h>
 
-#include <Eigen/SparseCore>
-
 #include <array>
 #include <map>
 #include <vector>
@@ -47,11 +45,6 @@ namespace abut
     const std::vector<Segment> &segments() const { return segments_; }
     const LagrangeBasis &basis() const { return basis_; }
     std::size_t n_nodes() const { return node_dofs_.size(); }
-    /// Length of a vector with two components at every node of every segment, segment by segment.
-    Eigen::Index n_segment_components() const
-    {
-      return static_cast<Eigen::Index>(2 * segments_.size() * (basis_.degree() + 1));
-    }
     const std::vector<std::array<unsigned int, 2>> &node_dofs() const { return node_dofs_; }
 
     const std::vector<Vector2> &node_points() const { return node_points_; }
@@ -83,8 +76,4 @@ namespace abut
     std::vector<double> node_arc_lengths_;
     double length_ = 0.;
   };
-
-  /// Takes a trace vector to its components at the nodes of every segment; transposed, it adds up at the
-  /// nodes what each segment contributes: n_segment_components x 2 n_nodes.
-  Eigen::SparseMatrix<double> gather_segments(const Trace &trace);
 } // namespace abut

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/adaptation/boundary_model.h>
+
+#include <map>
+#include <mutex>
+
+namespace abut
+{
+  /**
+   * The paper's indicator: the difference of the stresses that finite and boundary elements give for the same
+   * data, ||sigma_B - sigma_F|| in every cell, (24)-(27). Boundary elements answer the contact traction of
+   * the solution, whatever displacement stands beside it: with that of an iterate the difference tells of
+   * discretisation and iteration together. Operators and factors are kept for the present mesh of each body.
+   */
+  class FEBEIndicator : public Indicator
+  {
+  public:
+    explicit FEBEIndicator(const BoundarySolution kind) : kind_(kind) {}
+
+    /// Throws ComputationError where the boundary elements cannot solve.
+    CellErrors estimate(const BodySolution &solution) const override;
+    void check(const Body &body) const override { check_boundary_elements(body); }
+
+  private:
+    struct Kept
+    {
+      unsigned int mesh;
+      std::shared_ptr<const BoundaryModel> model;
+    };
+    std::shared_ptr<const BoundaryModel> model_of(const Body &body, BoundaryCost &cost) const;
+
+    BoundarySolution kind_;
+    mutable std::mutex mutex_;
+    mutable std::map<const Body *, Kept> kept_;
+  };
+} // namespace abut

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/driver/quality.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <tbb/parallel_for.h>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    /// Squared errors of every cell of a body.
+    struct CellSquares
+    {
+      Eigen::VectorXd computed, better;
+      double stress = 0.;
+    };
+
+    /// A stress of the plane in a body's own frame, whose axes are the columns of `turn`.
+    Stress turned(const Stress &s, const Eigen::Matrix2d &turn)
+    {
+      Eigen::Matrix2d tensor;
+      tensor << s.xx, s.xy, s.xy, s.yy;
+      const Eigen::Matrix2d own = turn.transpose() * tensor * turn;
+      return {own(0, 0), own(1, 1), own(0, 1), s.zz};
+    }
+
+    CellSquares cell_squares(const OwnStress &exact, const BodyResult &result,
+                             const std::vector<Stress> &better)
+    {
+      const Space &space = result.body->space();
+      const dealii::Quadrature<2> rule = comparison_rule(space);
+      const Placement &placement = result.body->description().placement;
+      Eigen::Matrix2d turn;
+      turn << placement.direction_to_world(Vector2::UnitX()), placement.direction_to_world(Vector2::UnitY());
+      std::vector<Vector2> places;
+      std::vector<double> weights;
+      std::vector<Stress> computed;
+      visit_gradients(
+          space, rule, result.deformation,
+          [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
+            places.push_back(placement.point_to_own(point));
+            weights.push_back(weight);
+            computed.push_back(turned(result.body->material().stress(gradient), turn));
+          });
+      std::vector<Stress> stresses(places.size());
+      tbb::parallel_for(std::size_t(0), places.size(),
+                        [&](const std::size_t i) { stresses[i] = exact(places[i]); });
+      CellSquares squares;
+      squares.computed = squares.better =
+          Eigen::VectorXd::Zero(static_cast<Index>(places.size() / rule.size()));
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        const auto cell = static_cast<Index>(i / rule.size());
+        squares.computed[cell] += weights[i] * (computed[i] - stresses[i]).square();
+        squares.stress += weights[i] * stresses[i].square();
+        if (!better.empty())
+          squares.better[cell] += weights[i] * (turned(better[i], turn) - stresses[i]).square();
+      }
+      return squares;
+    }
+
+    std::set<unsigned int> boundary_cells(const Space &space)
+    {
+      std::set<unsigned int> cells;
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (cell->at_boundary())
+          cells.insert(cell->active_cell_index());
+      return cells;
+    }
+
+    /// Vertices of the slave side where contact begins or ends, by their places.
+    std::vector<Vector2> contact_ends(const std::vector<PairResult> &pairs)
+    {
+      std::vector<Vector2> places;
+      for (const PairResult &pair : pairs)
+        for (const Segment &segment : pair.slave->segments())
+        {
+          const auto first = static_cast<Index>(segment.nodes.front()),
+                     last = static_cast<Index>(segment.nodes.back());
+          if ((pair.pressures[first] > 0.) != (pair.pressures[last] > 0.))
+            places.push_back(.5 * (segment.points.front() + segment.points.back()));
+        }
+      return places;
+    }
+
+    /// Cells whose centre is nearer to a contact end than one and a half of their diameters.
+    std::set<unsigned int> contact_end_cells(const Space &space, const std::vector<Vector2> &ends)
+    {
+      std::set<unsigned int> cells;
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        for (const Vector2 &end : ends)
+          if (cell->center().distance({end.x(), end.y()}) < 1.5 * cell->diameter())
+            cells.insert(cell->active_cell_index());
+      return cells;
+    }
+
+    void add(const ErrorSquares &cell, ErrorSquares &sum)
+    {
+      sum.estimated += cell.estimated;
+      sum.computed += cell.computed;
+      sum.better += cell.better;
+    }
+
+    Eigen::VectorXd ranks(const Eigen::VectorXd &values)
+    {
+      std::vector<Index> order(static_cast<std::size_t>(values.size()));
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(),
+                [&](const Index i, const Index j) { return values[i] < values[j]; });
+      Eigen::VectorXd result(values.size());
+      for (std::size_t rank = 0; rank < order.size(); ++rank)
+        result[order[rank]] = static_cast<double>(rank);
+      return result;
+    }
+
+    double correlation(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+    {
+      const Eigen::VectorXd u = a.array() - a.mean(), v = b.array() - b.mean();
+      return u.dot(v) / (u.norm() * v.norm());
+    }
+  } // namespace
+
+  std::optional<EstimatorQuality> estimator_quality(const ExactSolution &exact, const Estimation &estimation,
+                                                    const std::vector<BodyResult> &bodies,
+                                                    const std::vector<PairResult> &pairs)
+  {
+    EstimatorQuality quality;
+    quality.has_better = true;
+    const std::vector<Vector2> ends = contact_ends(pairs);
+    std::vector<double> estimated, computed;
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+    {
+      const OwnStress response = exact.response(a, bodies[a]);
+      if (!response)
+        return {};
+      const CellErrors &errors = estimation.errors[a];
+      const CellSquares squares = cell_squares(response, bodies[a], errors.better);
+      const Space &space = bodies[a].body->space();
+      const auto at_boundary = boundary_cells(space), at_end = contact_end_cells(space, ends);
+      quality.stress += squares.stress;
+      quality.has_better = quality.has_better && !errors.better.empty();
+      for (Index i = 0; i < errors.stress.size(); ++i)
+      {
+        const ErrorSquares cell{errors.stress[i] * errors.stress[i], squares.computed[i], squares.better[i]};
+        const auto index = static_cast<unsigned int>(i);
+        add(cell, quality.whole);
+        if (at_end.count(index) > 0)
+          add(cell, quality.contact_end);
+        add(cell, at_boundary.count(index) > 0 ? quality.boundary : quality.interior);
+        estimated.push_back(errors.stress[i]);
+        computed.push_back(std::sqrt(squares.computed[i]));
+      }
+    }
+    const auto n = static_cast<Index>(estimated.size());
+    const Eigen::Map<const Eigen::VectorXd> x(estimated.data(), n), y(computed.data(), n);
+    quality.pearson = correlation(x, y);
+    quality.spearman = correlation(ranks(x), ranks(y));
+    return quality;
+  }
+} // namespace abut
