@@ -63,6 +63,9 @@ namespace abut
       }
     }
 
+    /// StressRules::closed_distance for each degree, where the recurrence has lost about 5e-13.
+    constexpr double closed_distances[max_density_degree + 1] = {4., 4., 4., 2., 1.5};
+
     /// g_n of StressRules: what n Gauss points miss of the integral of eta^(2n).
     double gauss_defect(const unsigned int n)
     {
@@ -93,9 +96,7 @@ namespace abut
   } // namespace
 
   StressRules::StressRules(const unsigned int degree_of_densities)
-      : degree(degree_of_densities), closed_distance(degree < 3    ? 4.
-                                                     : degree == 3 ? 2.
-                                                                   : 1.5)
+      : degree(degree_of_densities), closed_distance(closed_distances[degree])
   {
     constexpr double farthest = 1e4; // a rule for still farther points would hardly ever be used
     bool complete = false;

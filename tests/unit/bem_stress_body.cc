@@ -151,6 +151,22 @@ TEST(BemStressBody, IsZeroOutside)
     EXPECT_LT(stress_distance(stress, Stress()), rounding * field.scale(elements));
 }
 
+TEST(BemStressBody, IsZeroBesideTinyBodiesFarApart)
+{
+  // All in one group, whose radius is a million lengths.
+  std::vector<BoundaryElement> elements;
+  for (const Complex place : {Complex(0., 0.), Complex(1., 1.)})
+    for (const BoundaryElement &side : divided_polygon({{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}, {0., 1.}))
+      elements.emplace_back(place + 1e-6 * side.start, place + 1e-6 * side.end);
+  const ExactField field{.8, .3};
+  const InteriorStress interior(elements, field.values(elements), field.shear_modulus, field.poisson_ratio);
+  for (const double distance : {3., 6., 10., 40., 1e3})
+  {
+    const Complex z = Complex(1., 1.) + 1e-6 * distance * Complex(1., .9);
+    EXPECT_LT(stress_distance(interior.at(z), Stress()), rounding * field.scale(elements)) << distance;
+  }
+}
+
 TEST(BemStressBody, TakesElementsInAnyOrder)
 {
   std::vector<BoundaryElement> elements = divided_polygon(rectangle, graded_places(11, 2.512));
