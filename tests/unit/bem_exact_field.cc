@@ -5,25 +5,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace abut;
 
 namespace
 {
   const Complex goursat_a(.7, .4), goursat_b(.9, .25), goursat_c(-.3, .8), goursat_d(.5, -.6);
+
+  /// With 0^0 = 1, unlike std::pow.
+  Complex power(const Complex z, const unsigned int exponent)
+  {
+    return exponent == 0 ? Complex(1.) : z * power(z, exponent - 1);
+  }
 } // namespace
 
 Complex ExactField::phi_1(const Complex z) const
 {
-  return (degree + 1.) * goursat_a * std::pow(z, degree) + goursat_b;
+  return (degree + 1.) * goursat_a * power(z, degree) + goursat_b;
 }
 Complex ExactField::phi_2(const Complex z) const
 {
-  return degree == 0 ? Complex(0.) : (degree + 1.) * degree * goursat_a * std::pow(z, degree - 1);
+  return degree == 0 ? Complex(0.) : (degree + 1.) * degree * goursat_a * power(z, degree - 1);
 }
 Complex ExactField::psi_1(const Complex z) const
 {
-  return (degree + 1.) * goursat_c * std::pow(z, degree) + goursat_d;
+  return (degree + 1.) * goursat_c * power(z, degree) + goursat_d;
 }
 
 Stress ExactField::stress(const Complex z) const
@@ -114,6 +121,6 @@ std::vector<BoundaryElement> divided_polygon(const std::vector<Complex> &corners
 
 double stress_distance(const Stress &a, const Stress &b)
 {
-  const Stress d = a - b;
-  return std::max({std::abs(d.xx), std::abs(d.yy), std::abs(d.xy), std::abs(d.zz)});
+  const double distance = std::sqrt((a - b).square());
+  return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
 }

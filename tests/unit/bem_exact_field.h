@@ -38,5 +38,5 @@ std::vector<double> graded_places(unsigned int n, double ratio);
 std::vector<abut::BoundaryElement> divided_polygon(const std::vector<abut::Complex> &corners,
                                                    const std::vector<double> &places);
 
-/// The largest difference of a component.
+/// The Frobenius norm of the difference; infinite if that is not a number.
 double stress_distance(const abut::Stress &a, const abut::Stress &b);

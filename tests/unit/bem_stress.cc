@@ -88,7 +88,7 @@ namespace
     LongComplex q_sum_ = 0., p_sum_ = 0.;
   };
 
-  /// The error relative to the largest component.
+  /// The error relative to the stress.
   double relative_error(const BoundaryValues &values, const Complex z)
   {
     const InteriorStress interior({element}, values, shear_modulus, poisson_ratio);
