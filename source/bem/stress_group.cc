@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Two versions of the inner loop, of which the machine takes the one it has instructions for when the program
-// starts. Both round alike (no fused multiplication).
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__)
+// starts. Both round alike (no fused multiplication). GCC's thread sanitizer does not survive such a choice.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&             \
+    !defined(__SANITIZE_THREAD__)
 #define ABUT_VECTOR_VERSIONS __attribute__((target_clones("avx2", "default")))
 #else
 #define ABUT_VECTOR_VERSIONS
@@ -28,12 +30,12 @@ namespace abut
       return (static_cast<std::size_t>(point) * blocks + lane / stress_lanes) * block + lane % stress_lanes;
     }
 
-    /// One Gauss point: f points to its fields.
-    inline void add_gauss_point(const double *f, const double x, const double y, double &q_imag,
+    /// One Gauss point at w with the fields from f on.
+    inline void add_gauss_point(const double *f, const double w_re, const double w_im, double &q_imag,
                                 double &p_real, double &p_imag)
     {
       constexpr unsigned int next = stress_lanes;
-      const double w_re = f[0] - x, w_im = f[next] - y, q_re = f[2 * next], q_im = f[3 * next];
+      const double q_re = f[2 * next], q_im = f[3 * next];
       const double inverse = 1. / (w_re * w_re + w_im * w_im);
       const double v_re = w_re * inverse, v_im = -w_im * inverse; // 1/w
       const double a_re = v_re * q_re - v_im * q_im, a_im = v_re * q_im + v_im * q_re;
@@ -44,7 +46,7 @@ namespace abut
       p_imag += v_re * b_im + v_im * b_re;
     }
 
-    /// Sums over n_blocks blocks of fields.
+    /// Sums over n_blocks blocks of fields, seen from x + i y.
     ABUT_VECTOR_VERSIONS
     void add_lanes(const double *fields, const std::size_t n_blocks, const double x, const double y,
                    StressSums &sums)
@@ -52,7 +54,8 @@ namespace abut
       double q_imag[stress_lanes] = {}, p_real[stress_lanes] = {}, p_imag[stress_lanes] = {};
       for (std::size_t i = 0; i < n_blocks; ++i, fields += block)
         for (unsigned int lane = 0; lane < stress_lanes; ++lane)
-          add_gauss_point(fields + lane, x, y, q_imag[lane], p_real[lane], p_imag[lane]);
+          add_gauss_point(fields + lane, fields[lane] - x, fields[lane + stress_lanes] - y, q_imag[lane],
+                          p_real[lane], p_imag[lane]);
       for (unsigned int lane = 0; lane < stress_lanes; ++lane)
       {
         sums.q_imag += q_imag[lane];
@@ -60,6 +63,9 @@ namespace abut
         sums.p_imag += p_imag[lane];
       }
     }
+
+    /// StressRules::closed_distance for each degree, where the recurrence has lost about 5e-13.
+    constexpr double closed_distances[max_density_degree + 1] = {4., 4., 4., 2., 1.5};
 
     /// g_n of StressRules: what n Gauss points miss of the integral of eta^(2n).
     double gauss_defect(const unsigned int n)
@@ -79,28 +85,25 @@ namespace abut
       return product;
     }
 
-    /// Element lengths from which on n Gauss points do; infinite if never.
-    double sufficient_distance(const unsigned int n, const unsigned int degree)
+    /// Element lengths from which on n Gauss points integrate P_m with this error; infinite if never.
+    double sufficient_distance(const unsigned int n, const unsigned int m, const double error)
     {
-      constexpr double tolerance = 5e-13;
-      if (2 * n <= degree)
-        return INFINITY;
-      const double k = 2. * n - degree;
-      const double factor = (k + 1.5) * highest_coefficient(degree) * gauss_defect(n);
-      return .5 * std::pow(factor / tolerance, 1. / k);
+      if (2 * n <= m)
+        return std::numeric_limits<double>::infinity();
+      const double k = 2. * n - m;
+      const double factor = (k + 1.5) * highest_coefficient(m) * gauss_defect(n);
+      return .5 * std::pow(factor / error, 1. / k);
     }
   } // namespace
 
   StressRules::StressRules(const unsigned int degree_of_densities)
-      : degree(degree_of_densities), closed_distance(degree < 3    ? 4.
-                                                     : degree == 3 ? 2.
-                                                                   : 1.5)
+      : degree(degree_of_densities), closed_distance(closed_distances[degree])
   {
     constexpr double farthest = 1e4; // a rule for still farther points would hardly ever be used
     bool complete = false;
     for (unsigned int n = 1; !complete; ++n)
     {
-      const double from = sufficient_distance(n, degree);
+      const double from = std::max(sufficient_distance(n, degree, 5e-13), sufficient_distance(n, 0, 2e-14));
       complete = from <= closed_distance;
       if (from > farthest)
         continue;
@@ -114,7 +117,7 @@ namespace abut
   {
     // int P_n/w ds = conj(e) k_n, int P_n conj(w)/w^2 ds = conj(e)^3 (k_n + 2i Im(x) d_n).
     const LocalPlace place = element.local(z);
-    const LegendreMoments moments = legendre_moments(place, degree);
+    const LegendreMoments moments = cauchy_moments(place, degree);
     const bool near_start = std::norm(place.from_start) < std::norm(place.from_end);
     const Complex twice_height(0., 2. * (near_start ? place.from_start : place.from_end).imag());
     Complex q_over_w = 0., p_over_w = 0., second = 0.;
@@ -144,7 +147,8 @@ namespace abut
     }
     for (const StressRules::Rule &rule : rules.rules)
     {
-      from_square_.push_back(std::pow(radius + rule.from_distance * longest, 2));
+      // Not closer than the radius, because places are rounded relative to it.
+      from_square_.push_back(std::pow(radius + std::max(radius, rule.from_distance * longest), 2));
       lanes_.emplace_back(static_cast<std::size_t>(rule.points.size()) * blocks * block);
     }
     // Lanes without an element repeat the places of the first one, with densities of zero.
@@ -198,10 +202,13 @@ namespace abut
       ++r;
     if (r == rules.rules.size())
       return add_closed_stress(element, densities_[lane], rules.degree, z, sums);
-    const Complex place = z - centre_;
+    const Complex from_start = element.start - z, half = .5 * (element.end - element.start);
     for (Eigen::Index j = 0; j < rules.rules[r].points.size(); ++j)
-      add_gauss_point(lanes_[r].data() + lane_place(j, lane), place.real(), place.imag(), sums.q_imag,
-                      sums.p_real, sums.p_imag);
+    {
+      const Complex w = from_start + (1. + rules.rules[r].points[j]) * half;
+      add_gauss_point(lanes_[r].data() + lane_place(j, lane), w.real(), w.imag(), sums.q_imag, sums.p_real,
+                      sums.p_imag);
+    }
   }
 } // namespace abut
 

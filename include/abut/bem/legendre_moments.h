@@ -37,4 +37,7 @@ namespace abut
    * the limit from one side; at its very ends only log[] is finite.
    */
   LegendreMoments legendre_moments(const LocalPlace &place, unsigned int degree);
+
+  /// The same without log[], in half the time.
+  LegendreMoments cauchy_moments(const LocalPlace &place, unsigned int degree);
 } // namespace abut
