@@ -21,94 +21,79 @@ namespace abut
     return index;
   }
 
-  void FarPairs::integrate(const BoundaryElement &first, const std::vector<const BoundaryElement *> &seconds,
-                           const unsigned int first_tier, const unsigned int second_tier)
+  void FarPairs::set_seconds(const BoundaryElement &first, const Partners &seconds)
   {
-    place(first, seconds, rules_[first_tier]);
-    evaluate(first, rules_[second_tier]);
-    sum(rules_[first_tier], rules_[second_tier]);
-  }
-
-  void FarPairs::place(const BoundaryElement &first, const std::vector<const BoundaryElement *> &seconds,
-                       const LegendreRule &rule)
-  {
-    const auto n_seconds = static_cast<Eigen::Index>(seconds.size());
-    const Eigen::Index n_rows = n_seconds * rule.points.size();
-    const Complex first_half = .5 * (first.end - first.start);
-    for (Eigen::ArrayXd *array : {&offset_x_, &offset_y_, &half_x_, &half_y_})
-      array->resize(n_rows);
-    scale_.resize(n_seconds);
-    for (Eigen::Index k = 0; k < n_seconds; ++k)
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
     {
-      const BoundaryElement &second = *seconds[static_cast<std::size_t>(k)];
+      const BoundaryElement &second = *seconds[lane];
       // Differences of vertices before sums: the distance keeps its digits.
       const Complex centre = .5 * ((second.start - first.start) + (second.end - first.end));
-      const Complex half = .5 * (second.end - second.start);
-      for (Eigen::Index p = 0; p < rule.points.size(); ++p)
-      {
-        const Eigen::Index row = p * n_seconds + k;
-        offset_x_[row] = centre.real() - rule.points[p] * first_half.real();
-        offset_y_[row] = centre.imag() - rule.points[p] * first_half.imag();
-        half_x_[row] = half.real();
-        half_y_[row] = half.imag();
-      }
+      const auto k = static_cast<Eigen::Index>(lane);
+      seconds_.x[k] = centre.real();
+      seconds_.y[k] = centre.imag();
+      seconds_.half_x[k] = .5 * (second.end - second.start).real();
+      seconds_.half_y[k] = .5 * (second.end - second.start).imag();
+      seconds_.direction_x[k] = second.direction.real();
+      seconds_.direction_y[k] = second.direction.imag();
       scale_[k] = .25 * first.length * second.length;
     }
   }
 
-  void FarPairs::evaluate(const BoundaryElement &first, const LegendreRule &rule)
+  FarPairs::Kernels FarPairs::kernels(const Seconds &seconds, const Lanes &x, const Lanes &y,
+                                      const Complex first_direction)
   {
-    const Eigen::Index n_rows = offset_x_.size();
-    for (auto &values : values_)
-      values.resize(n_rows, rule.points.size());
-    const Eigen::ArrayXd inverse_half = (half_x_.square() + half_y_.square()).rsqrt();
-    const Eigen::ArrayXd direction_x = half_x_ * inverse_half, direction_y = half_y_ * inverse_half;
-    const double first_x = first.direction.real(), first_y = first.direction.imag();
-    Eigen::ArrayXd x(n_rows), y(n_rows), square(n_rows), inverse(n_rows);
-    for (Eigen::Index q = 0; q < rule.points.size(); ++q)
-    {
-      x = offset_x_ + rule.points[q] * half_x_;
-      y = offset_y_ + rule.points[q] * half_y_;
-      square = x.square() + y.square();
-      inverse = 1. / square;
-      values_[0].col(q) = .5 * square.log();
-      values_[1].col(q) = (x.square() - y.square()) * inverse;
-      values_[2].col(q) = -2. * x * y * inverse;
-      values_[3].col(q) = (direction_y * x - direction_x * y) * inverse;
-      values_[4].col(q) = (first_y * x - first_x * y) * inverse;
-    }
+    const Lanes square = x * x + y * y, inverse = 1. / square;
+    return {{square.log(), (x * x - y * y) * inverse, -2. * x * y * inverse,
+             (seconds.direction_y * x - seconds.direction_x * y) * inverse,
+             (first_direction.imag() * x - first_direction.real() * y) * inverse}};
   }
 
-  void FarPairs::sum(const LegendreRule &first_rule, const LegendreRule &second_rule)
+  void FarPairs::integrate(const BoundaryElement &first, const Partners &seconds,
+                           const std::size_t first_tier, const std::size_t second_tier)
   {
-    const Eigen::Index n_seconds = scale_.size(), n_points = first_rule.points.size(), size = degree_ + 1;
-    Eigen::MatrixXd partial(n_seconds * n_points, size);
-    for (unsigned int kernel = 0; kernel < n_kernels; ++kernel)
+    const LegendreRule &outer = rules_[first_tier], &inner = rules_[second_tier];
+    const unsigned int size = degree_ + 1;
+    const Complex half = .5 * (first.end - first.start);
+    set_seconds(first, seconds);
+    std::array<Kernels, max_density_degree + 1> partial;
+    for (unsigned int i = 0; i < size; ++i)
+      for (unsigned int j = 0; j < size; ++j)
+        integrals_[i][j].fill(Lanes::Zero());
+    for (Eigen::Index p = 0; p < outer.points.size(); ++p)
     {
-      partial = values_[kernel].matrix().lazyProduct(second_rule.weighted);
-      integrals_[kernel].resize(n_seconds, size * size);
-      for (Eigen::Index j = 0; j < size; ++j)
+      const Lanes x = seconds_.x - outer.points[p] * half.real(),
+                  y = seconds_.y - outer.points[p] * half.imag();
+      for (unsigned int j = 0; j < size; ++j)
+        partial[j].fill(Lanes::Zero());
+      for (Eigen::Index q = 0; q < inner.points.size(); ++q)
       {
-        const Eigen::Map<const Eigen::MatrixXd> column(partial.col(j).data(), n_seconds, n_points);
-        integrals_[kernel].middleCols(j * size, size) = column.lazyProduct(first_rule.weighted);
+        const double eta = inner.points[q];
+        const Kernels values =
+            kernels(seconds_, x + eta * seconds_.half_x, y + eta * seconds_.half_y, first.direction);
+        for (unsigned int j = 0; j < size; ++j)
+          for (unsigned int k = 0; k < values.size(); ++k)
+            partial[j][k] += inner.weighted(q, j) * values[k];
       }
-      integrals_[kernel].array().colwise() *= scale_;
+      for (unsigned int i = 0; i < size; ++i)
+        for (unsigned int j = 0; j < size; ++j)
+          for (unsigned int k = 0; k < partial[j].size(); ++k)
+            integrals_[i][j][k] += outer.weighted(p, i) * partial[j][k];
     }
   }
 
-  void FarPairs::copy(const std::size_t k, PairIntegrals &integrals) const
+  void FarPairs::copy(const std::size_t lane, PairIntegrals &integrals) const
   {
-    const auto row = static_cast<Eigen::Index>(k), size = static_cast<Eigen::Index>(degree_ + 1);
-    const double two_pi = 2. * M_PI;
-    for (Eigen::Index j = 0; j < size; ++j)
-      for (Eigen::Index i = 0; i < size; ++i)
+    const auto l = static_cast<Eigen::Index>(lane);
+    const double scale = scale_[l], by_two_pi = scale / (2. * M_PI);
+    for (unsigned int j = 0; j <= degree_; ++j)
+      for (unsigned int i = 0; i <= degree_; ++i)
       {
-        const Eigen::Index column = j * size + i;
-        integrals.log(i, j) = integrals_[0](row, column);
-        integrals.even_real(i, j) = integrals_[1](row, column);
-        integrals.even_imag(i, j) = integrals_[2](row, column);
-        integrals.double_layer(i, j) = -integrals_[3](row, column) / two_pi;
-        integrals.reversed(i, j) = integrals_[4](row, column) / two_pi;
+        const Kernels &values = integrals_[i][j];
+        integrals.log(i, j) = .5 * scale * values[0][l];
+        integrals.even_real(i, j) = scale * values[1][l];
+        integrals.even_imag(i, j) = scale * values[2][l];
+        integrals.double_layer(i, j) = -by_two_pi * values[3][l];
+        integrals.reversed(i, j) = by_two_pi * values[4][l];
       }
   }
 } // namespace abut

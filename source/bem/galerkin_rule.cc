@@ -7,7 +7,7 @@ namespace abut
 {
   GalerkinRule GalerkinRule::precise()
   {
-    return {20, 7, 10, 1., {{1., 12}, {2., 8}, {4., 6}, {16., 4}, {64., 3}}};
+    return {24, 7, 10, 1., {{1., 12}, {2., 8}, {4., 6}, {16., 4}, {64., 3}}};
   }
 
   GalerkinRule GalerkinRule::estimating()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bem/far_pairs.h>
 #include <abut/bem/kernel_matrices.h>
+#include <abut/bem/large_matrix.h>
 #include <abut/bem/near_pairs.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace abut
       KernelFiller(const std::vector<BoundaryElement> &elements, const unsigned int degree,
                    const GalerkinRule &rule)
           : elements_(elements), near_(rule, degree), far_(rule, degree),
-            partners_(far_.n_tiers() * far_.n_tiers()), integrals_(degree), matrices_(elements, degree)
+            queues_(far_.n_tiers() * far_.n_tiers()), integrals_(degree), matrices_(elements, degree)
       {
         double largest = 0.;
         for (const BoundaryElement &element : elements)
@@ -42,32 +43,33 @@ namespace abut
       /// The pairs of m with first ... end - 1.
       void fill_row(const std::size_t m, const std::size_t first, const std::size_t end)
       {
-        for (auto &partners : partners_)
-          partners.clear();
         for (std::size_t l = first; l < end; ++l)
           if (l == m)
             matrices_.set(m, m, self_integrals(elements_[m], matrices_.degree));
-          else if (!sort_far(m, l))
+          else if (!queue_far(m, l))
             fill_near(m, l);
-        for (unsigned int first_tier = 0; first_tier < far_.n_tiers(); ++first_tier)
-          for (unsigned int second_tier = 0; second_tier < far_.n_tiers(); ++second_tier)
-            fill_far(m, first_tier, second_tier);
+        for (std::size_t tiers = 0; tiers < queues_.size(); ++tiers)
+          fill_far(m, tiers);
       }
 
-      /// Lists l among m's partners if both are far from each other.
-      bool sort_far(const std::size_t m, const std::size_t l)
+      /// Puts l into one of m's queues if both are far from each other.
+      bool queue_far(const std::size_t m, const std::size_t l)
       {
         const BoundaryElement &a = elements_[m], &b = elements_[l];
         const double longest = std::max(a.length, b.length);
         // Not more than the distance, and cheap.
-        double apart = .5 * (std::abs((a.start - b.start) + (a.end - b.end)) - a.length - b.length);
+        double apart =
+            .5 * (std::sqrt(std::norm((a.start - b.start) + (a.end - b.end))) - a.length - b.length);
         if (far_.tier(apart, longest) < 0)
           apart = distance(a, b);
         if (far_.tier(apart, longest) < 0)
           return false;
         const auto first = static_cast<std::size_t>(far_.tier(apart, a.length)),
-                   second = static_cast<std::size_t>(far_.tier(apart, b.length));
-        partners_[first * far_.n_tiers() + second].push_back(l);
+                   second = static_cast<std::size_t>(far_.tier(apart, b.length)),
+                   tiers = first * far_.n_tiers() + second;
+        queues_[tiers].push_back(l);
+        if (queues_[tiers].size() == FarPairs::n_lanes)
+          fill_far(m, tiers);
         return true;
       }
 
@@ -81,32 +83,33 @@ namespace abut
           matrices_.set(l, m, near_.integrate(b, a, flat));
       }
 
-      void fill_far(const std::size_t m, const unsigned int first_tier, const unsigned int second_tier)
+      /// Empties a queue; lanes to spare repeat its last element.
+      void fill_far(const std::size_t m, const std::size_t tiers)
       {
-        const auto &partners = partners_[first_tier * far_.n_tiers() + second_tier];
-        if (partners.empty())
+        std::vector<std::size_t> &queue = queues_[tiers];
+        if (queue.empty())
           return;
-        seconds_.clear();
-        for (const std::size_t l : partners)
-          seconds_.push_back(&elements_[l]);
-        far_.integrate(elements_[m], seconds_, first_tier, second_tier);
-        for (std::size_t k = 0; k < partners.size(); ++k)
+        FarPairs::Partners partners;
+        for (std::size_t lane = 0; lane < partners.size(); ++lane)
+          partners[lane] = &elements_[queue[std::min(lane, queue.size() - 1)]];
+        far_.integrate(elements_[m], partners, tiers / far_.n_tiers(), tiers % far_.n_tiers());
+        for (std::size_t lane = 0; lane < queue.size(); ++lane)
         {
-          far_.copy(k, integrals_);
-          if (collinear(elements_[m], *seconds_[k], round_off_))
+          far_.copy(lane, integrals_);
+          if (collinear(elements_[m], *partners[lane], round_off_))
           {
             integrals_.double_layer.setZero();
             integrals_.reversed.setZero();
           }
-          matrices_.set(m, partners[k], integrals_);
+          matrices_.set(m, queue[lane], integrals_);
         }
+        queue.clear();
       }
 
       const std::vector<BoundaryElement> &elements_;
       NearPairs near_;
       FarPairs far_;
-      std::vector<std::vector<std::size_t>> partners_; // far from one element, by both tiers
-      std::vector<const BoundaryElement *> seconds_;
+      std::vector<std::vector<std::size_t>> queues_; // far from one element, by both tiers
       PairIntegrals integrals_;
       KernelMatrices matrices_;
       double round_off_;
@@ -120,7 +123,7 @@ namespace abut
       lengths[static_cast<Eigen::Index>(m)] = elements[m].length;
     const Eigen::Index n = lengths.size() * (degree + 1);
     for (Eigen::MatrixXd *matrix : {&log, &even_real, &even_imag, &double_layer})
-      matrix->resize(n, n);
+      *matrix = large_matrix(n, n);
   }
 
   void KernelMatrices::set(const std::size_t first, const std::size_t second, const PairIntegrals &integrals)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bem/large_matrix.h>
 #include <abut/bem/layer_operators.h>
 
 #include <utility>
@@ -11,7 +12,7 @@ namespace abut
     template <typename Add>
     Eigen::MatrixXd tested_potentials(const LegendreBasis &left, const Eigen::Index n_columns, const Add &add)
     {
-      Eigen::MatrixXd result(left.cols(), n_columns);
+      Eigen::MatrixXd result = large_matrix(left.cols(), n_columns);
       Eigen::VectorXd potential(left.rows());
       for (Eigen::Index j = 0; j < n_columns; ++j)
       {

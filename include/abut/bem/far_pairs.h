@@ -9,39 +9,45 @@
 
 namespace abut
 {
-  /// Integrals of an element with many others that lie apart from it, by Gauss points on both.
+  /// Integrals of an element with a few others that lie apart from it, by Gauss points on both.
   class FarPairs
   {
   public:
+    /// So many others are integrated at once, one in every lane of the processor's vectors.
+    static constexpr std::size_t n_lanes = 8;
+    using Partners = std::array<const BoundaryElement *, n_lanes>;
+
     FarPairs(const GalerkinRule &rule, unsigned int degree);
 
     /// The index of FarPoints for an element of this length, -1 where the distance is too short.
     int tier(double distance, double length) const;
-    unsigned int n_tiers() const { return static_cast<unsigned int>(rules_.size()); }
+    std::size_t n_tiers() const { return rules_.size(); }
 
-    /// Integrates x over `first`, y over every one of `seconds`, with the points of the tiers.
-    void integrate(const BoundaryElement &first, const std::vector<const BoundaryElement *> &seconds,
-                   unsigned int first_tier, unsigned int second_tier);
-    /// What the last call found for seconds[k].
-    void copy(std::size_t k, PairIntegrals &integrals) const;
+    /// x on `first`, y on every one of `seconds`, with the points of the tiers.
+    void integrate(const BoundaryElement &first, const Partners &seconds, std::size_t first_tier,
+                   std::size_t second_tier);
+    /// What the last call found for one of them.
+    void copy(std::size_t lane, PairIntegrals &integrals) const;
 
   private:
-    /// ln |w|, conj(w)/w, and Im(direction/w) with the direction of the second and of the first.
-    static constexpr unsigned int n_kernels = 5;
+    using Lanes = Eigen::Array<double, static_cast<int>(n_lanes), 1>;
+    /// 2 ln |w|, real and imaginary part of conj(w)/w, Im(direction/w) of the second and of the first.
+    using Kernels = std::array<Lanes, 5>;
 
-    void place(const BoundaryElement &first, const std::vector<const BoundaryElement *> &seconds,
-               const LegendreRule &rule);
-    void evaluate(const BoundaryElement &first, const LegendreRule &rule);
-    void sum(const LegendreRule &first_rule, const LegendreRule &second_rule);
+    struct Seconds
+    {
+      Lanes x, y;           // centre as seen from the centre of the first
+      Lanes half_x, half_y; // half of the element
+      Lanes direction_x, direction_y;
+    };
+    static Kernels kernels(const Seconds &seconds, const Lanes &x, const Lanes &y, Complex first_direction);
+    void set_seconds(const BoundaryElement &first, const Partners &seconds);
 
     unsigned int degree_;
     std::vector<double> distances_;
     std::vector<LegendreRule> rules_;
-    // A row for every second element and point of the first; the second's number runs fastest.
-    Eigen::ArrayXd offset_x_, offset_y_;            // from the point of the first to the centre of the second
-    Eigen::ArrayXd half_x_, half_y_;                // half of the second
-    Eigen::ArrayXd scale_;                          // quarter product of the lengths, one for every second
-    std::array<Eigen::ArrayXXd, n_kernels> values_; // a column for every point of the second
-    std::array<Eigen::MatrixXd, n_kernels> integrals_; // a row for every second, a column for every i, j
+    Seconds seconds_;
+    Lanes scale_; // quarter product of the lengths
+    std::array<std::array<Kernels, max_density_degree + 1>, max_density_degree + 1> integrals_;
   };
 } // namespace abut

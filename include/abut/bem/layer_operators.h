@@ -27,8 +27,8 @@ namespace abut
    *
    *   U = (1/(4 pi (1+k))) [-2 k ln|w| I + I + (Re, -Im; -Im, -Re) conj(w)/w],   w = y - x,
    *
-   * V t = int U t, K u = -int T u as a principal value, with T the traction of U at y, and
-   * W u = -(traction of K u): of a displacement without loads inside,
+   * V t = int U t, K u = int T u as a principal value, T_ij the traction j at y of the load i at x, and
+   * W u = -(traction of K u). For a displacement without loads inside
    *
    *   V t = (M/2 + K) u,   W u = (M^T/2 - K^T) t.
    *

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace abut
+{
+  /**
+   * A matrix without initial values, in large pages where the system has them to give: to touch small pages
+   * for the first time can take several times as long as to compute what goes into them.
+   */
+  Eigen::MatrixXd large_matrix(Eigen::Index rows, Eigen::Index columns);
+} // namespace abut

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bem/large_matrix.h>
+
+#include <cstdint>
+#include <sys/mman.h>
+
+namespace abut
+{
+  Eigen::MatrixXd large_matrix(const Eigen::Index rows, const Eigen::Index columns)
+  {
+    constexpr std::uintptr_t page = 4096;
+    Eigen::MatrixXd matrix(rows, columns);
+    const auto data = reinterpret_cast<std::uintptr_t>(matrix.data());
+    const std::uintptr_t first = (data + page - 1) / page * page,
+                         end = (data + sizeof(double) * static_cast<std::uintptr_t>(matrix.size())) / page *
+                               page;
+    // No more than advice: without large pages all works as before.
+    if (end > first)
+      madvise(reinterpret_cast<void *>(first), end - first, MADV_HUGEPAGE);
+    return matrix;
+  }
+} // namespace abut
