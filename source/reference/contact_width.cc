@@ -83,6 +83,17 @@ namespace abut
     return 0.5 * (bracket.first + bracket.second);
   }
 
+  double find_half_width_near(const double guess, const LayersContactData &data,
+                              const std::function<double(double)> &approach_of)
+  {
+    const auto excess = [&](double a) { return approach_of(a) / data.approach - 1.; };
+    constexpr double step = 1.001;
+    std::uintmax_t n_iterations = 100;
+    const auto bracket = boost::math::tools::bracket_and_solve_root(
+        excess, guess, step, true, boost::math::tools::eps_tolerance<double>(40), n_iterations);
+    return 0.5 * (bracket.first + bracket.second);
+  }
+
   double half_plane_compliance(const LayersContactData &data)
   {
     return data.layers[0].half_plane_compliance() + data.layers[1].half_plane_compliance();

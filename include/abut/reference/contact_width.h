@@ -3,6 +3,7 @@
 
 #include <abut/reference/pressed_layers.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace abut
@@ -22,6 +23,9 @@ namespace abut
   /// between 1e-4 and 0.99 of the length.
   double find_half_width(const LayersContactData &data,
                          const std::function<double(double half_width)> &approach_of);
+  /// The same to 12 digits, near a guess.
+  double find_half_width_near(double guess, const LayersContactData &data,
+                              const std::function<double(double half_width)> &approach_of);
 
   /// Sums over the two layers.
   double half_plane_compliance(const LayersContactData &data);
@@ -33,12 +37,17 @@ namespace abut
   Eigen::MatrixXd wave_displacement(const LayersContactData &data, const Basis &basis,
                                     const Eigen::VectorXd &x)
   {
+    Eigen::Index n_modes = 0;
+    for (const Layer &layer : data.layers)
+      n_modes = std::max(n_modes, layer.n_thin_modes(data.length));
+    const Eigen::MatrixXd modes = basis.modes(n_modes);
     Eigen::MatrixXd potential(x.size(), basis.size());
     for (Eigen::Index i = 0; i < x.size(); ++i)
       potential.row(i) = basis.potential(x(i));
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(x.size(), basis.size());
     for (const Layer &layer : data.layers)
-      sum += layer.wave_displacement(data.length, x, basis.modes(layer.n_thin_modes(data.length)), potential);
+      sum += layer.wave_displacement(data.length, x, modes.topRows(layer.n_thin_modes(data.length) + 1),
+                                     potential);
     return sum;
   }
 } // namespace abut
