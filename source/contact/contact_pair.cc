@@ -60,8 +60,7 @@ namespace abut
       : name_(description.name), slave_(slave), master_(master),
         coupling_(couple(slave_trace, master_trace, pieces, gap)),
         samples_(sample_gaps(slave_trace, master_trace, pieces, gap)),
-        penalty_(description.penalty.value_or(.5 * description.penalty_coefficient *
-                                              (slave.flexibility + master.flexibility))),
+        penalty_(description.penalty_between(slave.flexibility, master.flexibility)),
         gap_from_geometry_(!description.gap), coverage_(coupling_.covered_length / slave_trace.length())
   {
     if (coupling_.weights.isZero(0.))

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/layers_reference.h>
 #include <abut/driver/scene_checks.h>
+#include <abut/mesh/body_mesh.h>
+#include <abut/reference/layers_contact.h>
+#include <abut/reference/penalised_layers_contact.h>
 #include <abut/reference/piecewise_pressure.h>
 #include <abut/trace/applied_traction.h>
 
@@ -122,6 +125,32 @@ namespace abut
       return data;
     }
 
+    /// H_a/E_a of a side as its pair has it.
+    double side_flexibility(const Scene &scene, const Side &side)
+    {
+      const BodyDescription &body = scene.bodies[scene.body_index(side.body)];
+      const auto mesh = make_mesh(body);
+      return contact_depth(body, *mesh, boundary_id(*mesh, side.boundary)) / body.young_modulus;
+    }
+
+    /// theta in the bodies' own lengths.
+    double own_penalty(const Scene &scene)
+    {
+      const ContactDescription &contact = scene.contacts.front();
+      const Placement &slave = scene.bodies[scene.body_index(contact.slave.body)].placement;
+      return contact.penalty_between(side_flexibility(scene, contact.slave),
+                                     side_flexibility(scene, contact.master)) /
+             slave.length_to_world(1.);
+    }
+
+    std::unique_ptr<const PressedLayers> solve_layers(const Scene &scene)
+    {
+      const LayersContactData data = make_data(scene);
+      if (scene.reference.contact == ReferenceParameters::Contact::penalised)
+        return std::make_unique<const PenalisedLayersContact>(data, own_penalty(scene));
+      return std::make_unique<const LayersContact>(data);
+    }
+
     /// The polynomial with these values at the nodes of a basis on [0, 1], by powers.
     std::array<double, 4> powers(const LagrangeBasis &basis, const Eigen::VectorXd &values)
     {
@@ -162,7 +191,7 @@ namespace abut
     }
   } // namespace
 
-  LayersReference::LayersReference(const Scene &scene) : solution_(make_data(scene))
+  LayersReference::LayersReference(const Scene &scene) : solution_(solve_layers(scene))
   {
     const ContactDescription &contact = scene.contacts.front();
     for (const Side &side : {contact.slave, contact.master})
@@ -188,22 +217,22 @@ namespace abut
   OwnStress LayersReference::stress(const std::size_t body) const
   {
     return in_own_frame(body, [this, body](const Vector2 &point) {
-      return solution_.stress(static_cast<unsigned int>(body), point);
+      return solution_->stress(static_cast<unsigned int>(body), point);
     });
   }
 
   OwnStress LayersReference::response(const std::size_t body, const BodyResult &result) const
   {
-    const double length = solution_.data().length;
-    if (solution_.data().ends == Layer::Ends::infinite)
+    const double length = solution_->data().length;
+    if (solution_->data().ends == Layer::Ends::infinite)
       return {}; // the scene has ends
     const auto pressure = std::make_shared<PiecewisePressure>(length, pressure_pieces(result, length));
-    const auto layer = std::make_shared<LayerResponse>(solution_.data().layers.at(body), pressure);
+    const auto layer = std::make_shared<LayerResponse>(solution_->data().layers.at(body), pressure);
     return in_own_frame(body, [layer](const Vector2 &point) { return layer->stress(point); });
   }
 
   std::function<double(const Vector2 &)> LayersReference::pressure() const
   {
-    return [this](const Vector2 &own_point) { return solution_.pressure(own_point.x()); };
+    return [this](const Vector2 &own_point) { return solution_->pressure(own_point.x()); };
   }
 } // namespace abut

@@ -20,6 +20,12 @@ namespace abut
     }
   } // namespace
 
+  double ContactDescription::penalty_between(const double slave_flexibility,
+                                             const double master_flexibility) const
+  {
+    return penalty.value_or(.5 * penalty_coefficient * (slave_flexibility + master_flexibility));
+  }
+
   void ContactDescription::declare(dealii::ParameterHandler &prm)
   {
     namespace Patterns = dealii::Patterns;

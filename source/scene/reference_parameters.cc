@@ -23,6 +23,10 @@ namespace abut
         {"flat punch", Solution::flat_punch},
         {"corner", Solution::corner}};
 
+    const Choices<ReferenceParameters::Contact> reference_contacts{
+        {"exact", ReferenceParameters::Contact::exact},
+        {"penalised", ReferenceParameters::Contact::penalised}};
+
     /// A number above 0 that some of the solutions need.
     struct ReferenceDatum
     {
@@ -73,6 +77,15 @@ namespace abut
                         to_string(solution) + " needs a number above 0");
       return value;
     }
+
+    void check_contact(const ReferenceParameters &reference)
+    {
+      if (reference.contact == ReferenceParameters::Contact::penalised &&
+          reference.solution != Solution::layers_sliding && reference.solution != Solution::layers_bonded)
+        throw UserError("Reference/Contact: received `penalised` with the solution " +
+                        to_string(reference.solution) +
+                        ", allowed with layers sliding and layers bonded only");
+    }
   } // namespace
 
   void ReferenceParameters::declare(dealii::ParameterHandler &prm)
@@ -87,6 +100,12 @@ namespace abut
         "pressure and its resultant. lame: a disc or "
         "ring shrunk into a ring. flat punch: a half-plane, cut out as a rectangle, under a rigid punch. "
         "corner: the singular field of an L-shape. A scene that is not the solution's is refused.");
+    prm.declare_entry(
+        "Contact", "exact", Patterns::Selection(words_of(reference_contacts)),
+        "layers sliding, layers bonded: the contact law of the exact solution. exact: no overlap; the "
+        "penalty is "
+        "part of the errors. penalised: the penalty of the scene's contact; errors are those of meshes and "
+        "iteration alone.");
     for (const ReferenceDatum &datum : reference_data)
       prm.declare_entry(datum.entry, "0", Patterns::Anything(),
                         datum.documentation + ". A formula of constants. " + datum.unit + ".");
@@ -96,6 +115,8 @@ namespace abut
   {
     ReferenceParameters reference;
     reference.solution = choose(reference_solutions, prm.get("Exact solution"), "Reference/Exact solution");
+    reference.contact = choose(reference_contacts, prm.get("Contact"), "Reference/Contact");
+    check_contact(reference);
     for (const ReferenceDatum &datum : reference_data)
       if (std::find(datum.needed_by.begin(), datum.needed_by.end(), reference.solution) !=
           datum.needed_by.end())

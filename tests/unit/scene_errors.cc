@@ -110,6 +110,9 @@ TEST(SceneErrors, the_other_sections)
       {"Decomposition/Maximum steps=0", "named Maximum steps does not match"},
       {"Reference/Exact solution=layers sliding",
        "Reference/Approach: received `0`, the solution layers sliding"},
+      {"Reference/Contact=penalised", "Reference/Contact: received `penalised` with the solution none, "
+                                      "allowed with layers sliding and layers bonded only"},
+      {"Reference/Contact=elastic", "named Contact does not match"},
       {"Constants/Values=1", "Constants: received 2 names and 1 values"},
       {"Constants/Names=r0, x", "Constants/Names: received `x`"},
       {"Constants/Names=r0, 2d", "Constants/Names: received `2d`"},

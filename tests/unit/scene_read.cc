@@ -50,7 +50,18 @@ TEST(Scene, reads_constants_in_the_reference)
   EXPECT_EQ(scene.reference.solution, ReferenceParameters::Solution::layers_sliding);
   EXPECT_EQ(scene.reference.gap_curvature, 2e-3);
   EXPECT_EQ(scene.reference.approach, 1e-3);
+  EXPECT_EQ(scene.reference.contact, ReferenceParameters::Contact::exact);
   EXPECT_FALSE(scene.decomposition.relaxation);
+}
+
+TEST(Scene, reads_the_contact_law_of_the_reference)
+{
+  for (const std::string solution : {"layers sliding", "layers bonded"})
+  {
+    const Scene scene = Scene::read(ABUT_SOURCE_DIR "/prm/two-layers-rollers.prm",
+                                    {"Reference/Exact solution=" + solution, "Reference/Contact=penalised"});
+    EXPECT_EQ(scene.reference.contact, ReferenceParameters::Contact::penalised);
+  }
 }
 
 TEST(Scene, overrides_follow_the_file_in_their_order)

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <abut/driver/exact_solution.h>
-#include <abut/reference/layers_contact.h>
+#include <abut/reference/pressed_layers.h>
 
 #include <array>
+#include <memory>
 
 namespace abut
 {
   /**
-   * LayersContact seen from the bodies of a scene (`layers sliding`, `layers bonded`): everything in a body's
-   * own frame, where the body is a rectangle whose top or bottom is the contact side.
+   * LayersContact, or PenalisedLayersContact with the penalty of the scene's pair, seen from the bodies of a
+   * scene (`layers sliding`, `layers bonded`): everything in a body's own frame, where the body is a
+   * rectangle whose top or bottom is the contact side.
    */
   class LayersReference : public ExactSolution
   {
@@ -20,7 +22,7 @@ namespace abut
 
     OwnStress stress(std::size_t body) const override;
     std::function<double(const Vector2 &)> pressure() const override;
-    std::optional<double> force() const override { return solution_.force(); }
+    std::optional<double> force() const override { return solution_->force(); }
     OwnStress response(std::size_t body, const BodyResult &result) const override;
 
   private:
@@ -29,6 +31,6 @@ namespace abut
 
     std::array<bool, 2> contact_on_top_;
     std::array<double, 2> thickness_;
-    LayersContact solution_;
+    std::unique_ptr<const PressedLayers> solution_;
   };
 } // namespace abut

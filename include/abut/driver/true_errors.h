@@ -6,9 +6,10 @@
 namespace abut
 {
   /**
-   * Relative errors against an exact solution (penalty and iteration are part of the error), as far as it
-   * tells: energy norm of all bodies' displacement; stress in L2 over the components xx, yy, zz and twice xy,
-   * all bodies; pressure sum p_i phi_i of the first pair in L2 on the slave side; its contact force.
+   * Relative errors against an exact solution, as far as it tells (iteration is part of the error, and so is
+   * the penalty unless the solution has it too): energy norm of all bodies' displacement; stress in L2 over
+   * the components xx, yy, zz and twice xy, all bodies; pressure sum p_i phi_i of the first pair in L2 on the
+   * slave side; its contact force.
    */
   TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
                          const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs);

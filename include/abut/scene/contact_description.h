@@ -31,6 +31,9 @@ namespace abut
     double penalty_coefficient = 0.05; ///< c of theta = (c/2) sum H_a/E_a
     std::optional<double> penalty;     ///< theta itself (length / stress); overrides c
 
+    /// theta of the pair; the flexibility of a side is H_a/E_a.
+    double penalty_between(double slave_flexibility, double master_flexibility) const;
+
     static void declare(dealii::ParameterHandler &prm);
     /// Reads the section the handler stands in. Throws UserError.
     static ContactDescription parse(dealii::ParameterHandler &prm, const std::string &name,

@@ -28,7 +28,14 @@ namespace abut
       flat_punch, ///< a half-plane under the pressure of a rigid punch, `Half width`, `Force`
       corner      ///< the singular field of an L-shape, `Amplitude`
     };
+    /// The contact law the solution obeys.
+    enum class Contact
+    {
+      exact,
+      penalised ///< with the penalty of the scene's pair; layers between rollers only
+    };
     Solution solution = Solution::none;
+    Contact contact = Contact::exact;
     double approach = 0.;
     double gap_curvature = 0.;
     double force = 0.; ///< of the whole contact, where a scene has half of it too
