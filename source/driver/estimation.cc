@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/estimation.h>
+#include <abut/trace/applied_traction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,20 @@ namespace abut
     return relative(std::sqrt(square), norms);
   }
 
+  std::optional<double> Estimation::bound() const
+  {
+    if (!law_mismatch)
+      return {};
+    double square = 0., norm = 0.;
+    for (const CellErrors &body : errors)
+    {
+      square += body.energy.squaredNorm();
+      norm += body.energy_norm * body.energy_norm;
+    }
+    const double bound = .5 * std::sqrt(square) + std::sqrt(.25 * square + *law_mismatch);
+    return norm > 0. ? bound / std::sqrt(norm) : 0.;
+  }
+
   double Estimation::stress() const
   {
     std::vector<double> norms;
@@ -87,6 +102,27 @@ namespace abut
       estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
     });
     return estimation;
+  }
+
+  double law_mismatch(const std::vector<ContactPair> &pairs, const std::vector<BodyResult> &bodies)
+  {
+    double sum = 0.;
+    for (const ContactPair &pair : pairs)
+    {
+      const auto on_side = [&](const ContactBody &side, const Eigen::VectorXd &trace) -> Eigen::VectorXd {
+        const Body &body = *bodies[side.body].body;
+        const auto size = static_cast<Eigen::Index>(2 * body.contact_sides()[side.side].n_nodes());
+        return trace.segment(body.trace_offset(side.side), size);
+      };
+      const auto displacement = [&](const ContactBody &side) {
+        return on_side(side, bodies[side.body].body->trace_of(bodies[side.body].displacement));
+      };
+      const BodyResult &slave = bodies[pair.slave().body];
+      const Trace &trace = slave.body->contact_sides()[pair.slave().side];
+      sum += pair.law_mismatch(trace, displacement(pair.slave()), displacement(pair.master()),
+                               applied_traction(trace, on_side(pair.slave(), slave.contact_forces)));
+    }
+    return sum;
   }
 
   std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,

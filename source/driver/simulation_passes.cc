@@ -28,19 +28,19 @@ namespace abut
     if (!indicator_)
       return;
     const Stopwatch watch(results.times.estimate);
-    const Eigen::VectorXd applied = applied_pressures(results.iteration);
-    for (std::size_t a = 0; a < bodies().size(); ++a)
-      results.bodies[a].contact_forces = model_->problem().contact_forces(a, applied);
+    const bool by_law = estimates_by_law();
+    for (std::size_t a = 0; by_law && a < bodies().size(); ++a)
+      results.bodies[a].contact_forces =
+          model_->problem().contact_forces(a, model_->problem().pressures(results.iteration.response));
     estimation_ = estimate(*indicator_, scene_.adaptation, results.bodies);
+    if (by_law)
+      estimation_.law_mismatch = law_mismatch(pairs(), results.bodies);
   }
 
-  Eigen::VectorXd Simulation::applied_pressures(const SchemeResult &iteration) const
+  bool Simulation::estimates_by_law() const
   {
-    const InterfaceProblem &problem = model_->problem();
-    const bool has_law = (problem.penalties().array() > 0.).all();
-    if (scene_.adaptation.estimator != EstimatorKind::fe_be || scene_.adaptation.combined || !has_law)
-      return iteration.traction;
-    return problem.pressures(iteration.response);
+    return scene_.adaptation.estimator == EstimatorKind::fe_be && !scene_.adaptation.combined &&
+           (model_->problem().penalties().array() > 0.).all();
   }
 
   namespace
@@ -87,7 +87,9 @@ namespace abut
       record.eta_max = estimation_.eta_max(scene_);
       record.discretisation = estimation_.discretisation();
       record.stress = estimation_.stress();
-      if (std::isfinite(record.iteration))
+      if (const auto bound = estimation_.bound())
+        record.total = bound;
+      else if (std::isfinite(record.iteration))
         record.total = std::hypot(*record.discretisation, record.iteration);
     }
     if (exact_)

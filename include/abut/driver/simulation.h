@@ -72,10 +72,10 @@ namespace abut
 
     /// Bodies, pairs and estimates that belong to the traction of `results.iteration`.
     void evaluate(Results &results);
-    /// The pressures that the estimate refers to: those that the displacement answers. With boundary elements
-    /// those that the contact law makes of it, so that the estimate tells of discretisation and iteration
-    /// together; but in the combined algorithm both solutions answer the same, as in the paper.
-    Eigen::VectorXd applied_pressures(const SchemeResult &iteration) const;
+    /// Whether the estimate refers to the pressures that the contact law makes of the displacement, so that
+    /// it tells of discretisation and iteration together: with boundary elements and a penalty. Else it
+    /// refers to those that the displacement answers; also in the combined algorithm, as in the paper.
+    bool estimates_by_law() const;
     PassRecord record_pass(const std::optional<CarriedState> &carried, Results &results) const;
     /// Whether no further mesh is to be made; then `results.adaptation_end` says why, in a scene that adapts.
     bool is_last_pass(Results &results) const;

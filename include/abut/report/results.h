@@ -77,7 +77,8 @@ namespace abut
     std::optional<double> eta_max; ///< over the cells of the adapted bodies (of all, where none adapts)
     std::optional<double> discretisation; ///< estimated, energy norm
     std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
-    std::optional<double> total;          ///< root of the squares of discretisation and iteration
+    std::optional<double> total;          ///< root of the squares of discretisation and iteration; with fe-be
+                                          ///< the bound of both together (Estimation::bound)
     TrueErrors true_errors;
     std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
     std::optional<double> effectivity_total; ///< total by true_errors.energy
