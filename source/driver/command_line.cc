@@ -93,6 +93,7 @@ namespace abut
         history.add(record, seconds());
         progress.step(record);
       };
+      observer.estimate = [&](const StepEstimate &estimate) { history.add(estimate); };
       observer.end_pass = [&](const PassRecord &record) { history.end_pass(record); };
       Results results = simulation.run(observer);
       progress.finish();

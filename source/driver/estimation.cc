@@ -9,13 +9,10 @@ namespace abut
 {
   namespace
   {
-    /// sqrt(sum error^2) over all bodies, and relative to the norms' where there is any stress.
-    double relative(const double error, const std::vector<double> &norms)
+    /// Zero where there is no stress.
+    double by_norm(const double error, const double norm)
     {
-      double square = 0.;
-      for (const double norm : norms)
-        square += norm * norm;
-      return square > 0. ? error / std::sqrt(square) : 0.;
+      return norm > 0. ? error / norm : 0.;
     }
 
     void mark_missed(const Scene &scene, const PairResult &result, const std::vector<BodyResult> &bodies,
@@ -37,38 +34,47 @@ namespace abut
     }
   } // namespace
 
-  double Estimation::discretisation() const
+  double Estimation::energy_error() const
   {
     double square = 0.;
-    std::vector<double> norms;
     for (const CellErrors &body : errors)
-    {
       square += body.energy.squaredNorm();
-      norms.push_back(body.energy_norm);
-    }
-    return relative(std::sqrt(square), norms);
+    return std::sqrt(square);
+  }
+
+  double Estimation::energy_norm() const
+  {
+    double square = 0.;
+    for (const CellErrors &body : errors)
+      square += body.energy_norm * body.energy_norm;
+    return std::sqrt(square);
+  }
+
+  double Estimation::discretisation() const
+  {
+    return by_norm(energy_error(), energy_norm());
+  }
+
+  std::optional<double> Estimation::energy_bound() const
+  {
+    if (!law_mismatch)
+      return {};
+    const double b = energy_error();
+    return .5 * b + std::sqrt(.25 * b * b + *law_mismatch);
   }
 
   std::optional<double> Estimation::bound() const
   {
-    if (!law_mismatch)
-      return {};
-    double square = 0., norm = 0.;
-    for (const CellErrors &body : errors)
-    {
-      square += body.energy.squaredNorm();
-      norm += body.energy_norm * body.energy_norm;
-    }
-    const double bound = .5 * std::sqrt(square) + std::sqrt(.25 * square + *law_mismatch);
-    return norm > 0. ? bound / std::sqrt(norm) : 0.;
+    const std::optional<double> bound = energy_bound();
+    return bound ? std::optional<double>(by_norm(*bound, energy_norm())) : bound;
   }
 
   double Estimation::stress() const
   {
-    std::vector<double> norms;
+    double square = 0.;
     for (const CellErrors &body : errors)
-      norms.push_back(body.stress_norm);
-    return relative(stress_error(), norms);
+      square += body.stress_norm * body.stress_norm;
+    return by_norm(stress_error(), std::sqrt(square));
   }
 
   double Estimation::stress_error() const

@@ -14,6 +14,24 @@
 
 namespace abut
 {
+  namespace
+  {
+    void count_boundary_elements(const Estimation &estimation, Times &times, BoundaryCost &cost)
+    {
+      cost.elements = cost.unknowns = 0; // of one estimate; times and models add up
+      for (const CellErrors &body : estimation.errors)
+      {
+        cost.elements += body.boundary.elements;
+        cost.unknowns += body.boundary.unknowns;
+        cost.models += body.boundary.models;
+        cost.assemble += body.boundary.assemble;
+        cost.solve += body.boundary.solve;
+        cost.evaluate += body.boundary.evaluate;
+        times.bem += body.boundary.assemble + body.boundary.solve + body.boundary.evaluate;
+      }
+    }
+  } // namespace
+
   void Simulation::evaluate(Results &results)
   {
     {
@@ -35,6 +53,12 @@ namespace abut
     estimation_ = estimate(*indicator_, scene_.adaptation, results.bodies);
     if (by_law)
       estimation_.law_mismatch = law_mismatch(pairs(), results.bodies);
+    for (std::size_t a = 0; a < bodies().size(); ++a)
+    {
+      results.bodies[a].eta = estimation_.eta[a];
+      results.bodies[a].better = estimation_.errors[a].better;
+    }
+    count_boundary_elements(estimation_, results.times, cost_.boundary);
   }
 
   bool Simulation::estimates_by_law() const
@@ -71,6 +95,9 @@ namespace abut
     PassRecord record;
     record.pass = static_cast<unsigned int>(results.passes.size());
     record.counts = counts();
+    for (const auto &body : bodies())
+      record.meshes.push_back(mesh_quality(body->space().mesh().triangulation));
+    record.cost = cost_;
     record.steps = results.iteration.steps;
     record.increment = results.iteration.increment;
     record.iteration = results.iteration.iteration_error;

@@ -26,8 +26,11 @@ namespace abut
      * stands. Not rigorous: that, and p_h in the place of the exact pressure where the law is violated.
      */
     std::optional<double> bound() const;
-    double stress() const;       ///< the same in L2 over xx, yy, zz and twice xy
-    double stress_error() const; ///< not relative
+    std::optional<double> energy_bound() const; ///< not relative
+    double energy_error() const;                ///< b itself, not relative
+    double energy_norm() const;                 ///< of the better stress (or sigma_F), all bodies
+    double stress() const;                      ///< the same in L2 over xx, yy, zz and twice xy
+    double stress_error() const;                ///< not relative
     /// The largest eta of the bodies that adapt; of all where none does.
     double eta_max(const Scene &scene) const;
   };

@@ -4,6 +4,7 @@
 #include <abut/decomposition/interface_solver.h>
 #include <abut/driver/estimation.h>
 #include <abut/driver/model.h>
+#include <abut/report/step_estimate.h>
 
 #include <chrono>
 #include <iosfwd>
@@ -16,6 +17,7 @@ namespace abut
   {
     std::function<void(unsigned int pass, const Counts &counts)> begin_pass;
     StepObserver step;
+    std::function<void(const StepEstimate &)> estimate; ///< after its step (Adaptation/Estimate steps)
     std::function<void(const PassRecord &)> end_pass;
   };
 
@@ -100,6 +102,7 @@ namespace abut
     std::unique_ptr<Indicator> indicator_;
     std::unique_ptr<InterfaceSolver> solver_; ///< of the present mesh
     Estimation estimation_;                   ///< of the present solution
+    PassCost cost_;                           ///< of the present pass
     bool state_is_field_ = true; ///< combined algorithm: false after the paper's literal initial guess
     double mesh_time_ = 0., reference_time_ = 0.;
   };
