@@ -11,12 +11,21 @@
 
 namespace abut
 {
+  /// A pass as it stands, before the mesh changes; valid during the call that shows it.
+  struct PassState
+  {
+    const Results &results;
+    const Estimation &estimation; ///< empty where nothing is estimated
+    const InterfaceProblem &problem;
+  };
+
   /// Is told what happens in a run; each part may be empty.
   struct RunObserver
   {
     std::function<void(unsigned int pass, const Counts &counts)> begin_pass;
     StepObserver step;
     std::function<void(const PassRecord &)> end_pass;
+    std::function<void(const PassState &)> state; ///< after end_pass
   };
 
   /**
