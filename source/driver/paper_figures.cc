@@ -8,8 +8,10 @@
 #include <abut/user_error.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 namespace abut
