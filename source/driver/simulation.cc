@@ -67,6 +67,8 @@ namespace abut
       results.passes.push_back(record_pass(carried, results));
       if (observer.end_pass)
         observer.end_pass(results.passes.back());
+      if (observer.state)
+        observer.state({results, estimation_, model_->problem()});
       if (is_last_pass(results))
         break;
       carried = adapt(state, results);

@@ -12,6 +12,14 @@
 
 namespace abut
 {
+  /// A pass as it stands, before the mesh changes; valid during the call that shows it.
+  struct PassState
+  {
+    const Results &results;
+    const Estimation &estimation; ///< empty where nothing is estimated
+    const InterfaceProblem &problem;
+  };
+
   /// Is told what happens in a run; each part may be empty.
   struct RunObserver
   {
@@ -19,6 +27,7 @@ namespace abut
     StepObserver step;
     std::function<void(const StepEstimate &)> estimate; ///< after its step (Adaptation/Estimate steps)
     std::function<void(const PassRecord &)> end_pass;
+    std::function<void(const PassState &)> state; ///< after end_pass
   };
 
   /**
