@@ -4,7 +4,9 @@
 
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace abut
@@ -45,6 +47,28 @@ namespace abut
       if (supported.size() == 2)
         return {};
       return {Vector2(-supported.front().y(), supported.front().x())};
+    }
+
+    /// The nodes of every hole: of the curves that run clockwise.
+    std::vector<std::vector<unsigned int>> holes(const BoundarySpace &space)
+    {
+      std::vector<std::vector<unsigned int>> all;
+      std::vector<bool> seen(space.elements().size(), false);
+      for (std::size_t first = 0; first < seen.size(); ++first)
+      {
+        std::vector<unsigned int> nodes;
+        double area = 0.;
+        for (std::size_t i = first; !seen[i]; i = space.next(i))
+        {
+          seen[i] = true;
+          nodes.insert(nodes.end(), space.nodes(i).begin(), space.nodes(i).end() - 1);
+          const BoundaryElement &element = space.elements()[i], &origin = space.elements()[first];
+          area += (std::conj(element.start - origin.start) * (element.end - origin.start)).imag();
+        }
+        if (area < 0.)
+          all.push_back(nodes);
+      }
+      return all;
     }
 
     Eigen::SparseMatrix<double> from_columns(const Index rows, const Index columns,
@@ -121,28 +145,45 @@ namespace abut
     free_ = {space_.displacements().values * displacements_, space_.displacements().slopes * displacements_};
   }
 
-  void BoundaryProblem::find_rigid_motions()
+  Eigen::MatrixXd BoundaryProblem::free_motions(const std::vector<unsigned int> &nodes) const
   {
     constexpr double none = 1e-8; // of a unit motion
+    const auto &places = space_.node_places();
+    Complex centre = 0.;
+    double radius = 0.;
+    for (const unsigned int node : nodes)
+      centre += places[node] / static_cast<double>(nodes.size());
+    for (const unsigned int node : nodes)
+      radius = std::max(radius, std::abs(places[node] - centre));
     const Index n = space_.n_nodes();
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(2 * n, 3);
-    motions.col(0).head(n).setOnes();
-    motions.col(1).tail(n).setOnes();
-    for (Index node = 0; node < n; ++node)
+    for (const unsigned int node : nodes)
     {
-      motions(node, 2) = -space_.node_places()[static_cast<std::size_t>(node)].imag();
-      motions(n + node, 2) = space_.node_places()[static_cast<std::size_t>(node)].real();
+      const Complex turned = Complex(0., 1.) * (places[node] - centre) / radius;
+      motions.row(node) << 1., 0., turned.real();
+      motions.row(n + node) << 0., 1., turned.imag();
     }
-    const Eigen::MatrixXd free = displacements_.transpose() * motions;
-    const Eigen::MatrixXd prevented = motions - displacements_ * free;
+    const Eigen::MatrixXd prevented = motions - displacements_ * (displacements_.transpose() * motions);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(prevented, Eigen::ComputeThinV);
-    const double size = std::sqrt(static_cast<double>(n));
+    const double size = std::sqrt(static_cast<double>(nodes.size()));
     Index n_free = 0;
     while (n_free < 3 && svd.singularValues()[2 - n_free] < none * size)
       ++n_free;
-    rigid_ = motions * svd.matrixV().rightCols(n_free);
-    for (Index k = 0; k < n_free; ++k)
-      rigid_.col(k).normalize();
+    return (motions * svd.matrixV().rightCols(n_free)).colwise().normalized();
+  }
+
+  void BoundaryProblem::find_rigid_motions()
+  {
+    std::vector<unsigned int> all(static_cast<std::size_t>(space_.n_nodes()));
+    std::iota(all.begin(), all.end(), 0u);
+    rigid_ = free_motions(all);
+    hole_motions_.resize(2 * space_.n_nodes(), 0);
+    for (const std::vector<unsigned int> &hole : holes(space_))
+    {
+      const Eigen::MatrixXd motions = free_motions(hole);
+      hole_motions_.conservativeResize(Eigen::NoChange, hole_motions_.cols() + motions.cols());
+      hole_motions_.rightCols(motions.cols()) = motions;
+    }
   }
 
   void BoundaryProblem::factorise()
@@ -150,9 +191,12 @@ namespace abut
     Eigen::MatrixXd single = operators_.single_layer(tractions_, tractions_);
     mixed_ = operators_.double_layer(tractions_, free_);
     Eigen::MatrixXd schur = operators_.hypersingular(free_, free_);
-    const Eigen::MatrixXd rigid = displacements_.transpose() * rigid_;
-    if (rigid.cols() > 0)
-      schur += schur.diagonal().mean() * rigid * rigid.transpose();
+    for (const Eigen::MatrixXd *const motions : {&rigid_, &hole_motions_})
+      if (motions->cols() > 0)
+      {
+        const Eigen::MatrixXd rigid = displacements_.transpose() * *motions;
+        schur += schur.diagonal().mean() * rigid * rigid.transpose();
+      }
     if (single.rows() > 0)
     {
       single_layer_ = cholesky(single, traction_scale_, "single layer");
@@ -182,6 +226,21 @@ namespace abut
          << " of the size of the load): boundary elements cannot solve it; give the body a support on a side "
             "instead of at a point, or choose another Adaptation/Estimator";
     throw ComputationError(text.str());
+  }
+
+  void BoundaryProblem::place_holes(BoundaryState &state) const
+  {
+    if (hole_motions_.cols() == 0)
+      return;
+    // (M/2 + K) r = M r at the hole itself, zero at all other curves.
+    const Eigen::MatrixXd densities = space_.displacements().values * hole_motions_;
+    const LegendreBasis motions = densities.sparseView();
+    const DisplacementBasis u{as_basis(space_.displacements().values * state.displacement),
+                              as_basis(space_.displacements().slopes * state.displacement)};
+    const Eigen::VectorXd missing = operators_.single_layer(motions, as_basis(state.traction)) -
+                                    .5 * operators_.mass(motions, u.values).toDense() -
+                                    operators_.double_layer(motions, u);
+    state.displacement += hole_motions_ * operators_.mass(motions, motions).toDense().llt().solve(missing);
   }
 
   BoundaryState BoundaryProblem::solve(const BoundaryState &known) const
@@ -215,6 +274,7 @@ namespace abut
     }
     if (f.size() > 0)
       state.traction += tractions_ * traction_scale_.cwiseProduct(single_layer_.matrixU().solve(f));
+    place_holes(state);
     return state;
   }
 } // namespace abut

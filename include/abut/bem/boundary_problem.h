@@ -33,7 +33,8 @@ namespace abut
    * every load. Displacements are given at the nodes that touch a supported element (supported_at_nodes);
    * where supports follow a polygon, tractions do no work on what is free there. Rigid motions that the
    * supports leave free are fixed by a term of their rank, which does not change the stress of a balanced
-   * load.
+   * load. So are those of each hole by itself, which V t = (M/2 + K) u at the hole yields afterwards: a rigid
+   * displacement of the curve of a hole has no stress outside, W r = 0 and (M/2 - K) r = 0.
    */
   class BoundaryProblem
   {
@@ -56,8 +57,12 @@ namespace abut
 
   private:
     void choose_unknowns(const std::vector<std::vector<Vector2>> &supported, unsigned int traction_degree);
+    /// The rigid motions of some nodes that supports leave free: displacement vectors of length 1.
+    Eigen::MatrixXd free_motions(const std::vector<unsigned int> &nodes) const;
     void find_rigid_motions();
     void factorise();
+    /// Moves each hole as the traction demands.
+    void place_holes(BoundaryState &state) const;
     void check_balance(const Eigen::VectorXd &traction) const;
 
     const BoundarySpace &space_;
@@ -65,7 +70,8 @@ namespace abut
     Eigen::SparseMatrix<double> tractions_;     ///< Legendre coefficients from the unknown tractions
     Eigen::SparseMatrix<double> displacements_; ///< displacement vector from its unknowns, orthonormal
     DisplacementBasis free_;                    ///< densities from the unknown displacements
-    Eigen::MatrixXd rigid_;                     ///< free rigid motions: displacement vectors, orthonormal
+    Eigen::MatrixXd rigid_;                     ///< free rigid motions: displacement vectors of length 1
+    Eigen::MatrixXd hole_motions_;              ///< the same of each hole
     Eigen::VectorXd traction_scale_, displacement_scale_;
     Eigen::MatrixXd mixed_; ///< K_DN, scaled
     Eigen::LLT<Eigen::MatrixXd> single_layer_, schur_complement_;
