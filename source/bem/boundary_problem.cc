@@ -21,11 +21,10 @@ namespace abut
       return a.x() * b.y() - a.y() * b.x();
     }
 
-    /// Adds what a further element supports at a node: the mean of directions that differ by less than 45
-    /// degrees, both axes where they differ by more.
-    void merge(const Directions &added, Directions &directions)
+    /// Adds what a further element supports at a node: the mean of directions that differ by less than an
+    /// angle, of which the sine is given, both axes where they differ by more.
+    void merge(const Directions &added, const double sine, Directions &directions)
     {
-      constexpr double sine = .707;
       if (added.empty() || directions.size() == 2)
         return;
       if (directions.empty() || added.size() == 2)
@@ -97,10 +96,19 @@ namespace abut
   std::vector<Directions> supported_at_nodes(const BoundarySpace &space,
                                              const std::vector<Directions> &supported)
   {
+    constexpr double curve = .707, parallel = 1e-6; // sines
     std::vector<Directions> at_node(static_cast<std::size_t>(space.n_nodes()));
     for (std::size_t i = 0; i < supported.size(); ++i)
       for (const unsigned int node : space.nodes(i))
-        merge(supported[i], at_node[node]);
+        at_node[node] = supported[i];
+    for (std::size_t i = 0; i < supported.size(); ++i)
+    {
+      const std::size_t next = space.next(i);
+      const double sine = space.side(i) == space.side(next) ? curve : parallel;
+      Directions &end = at_node[space.nodes(i).back()];
+      end = supported[i];
+      merge(supported[next], sine, end);
+    }
     return at_node;
   }
 

@@ -16,8 +16,9 @@ namespace abut
     Eigen::VectorXd displacement;
   };
 
-  /// The directions along which the displacement of every node is given: those of its elements, their mean
-  /// where they differ by less than 45 degrees, else both axes.
+  /// The directions along which the displacement of every node is given: those of its elements; where they
+  /// differ both axes, but the mean where they differ by less than 45 degrees on one side, which is a curve
+  /// then.
   std::vector<std::vector<Vector2>> supported_at_nodes(const BoundarySpace &space,
                                                        const std::vector<std::vector<Vector2>> &supported);
 
