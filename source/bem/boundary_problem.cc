@@ -217,15 +217,17 @@ namespace abut
       schur_complement_ = cholesky(schur, displacement_scale_, "Schur complement");
   }
 
-  void BoundaryProblem::check_balance(const Eigen::VectorXd &traction) const
+  void BoundaryProblem::check_balance(const BoundaryState &state) const
   {
-    constexpr double tolerance = 1e-6;
+    constexpr double tolerance = 1e-6, round_off = 1e-6; // 1e-12 of what given displacements load
     if (rigid_.cols() == 0)
       return;
-    const Eigen::SparseMatrix<double> known = as_basis(traction);
+    const Eigen::SparseMatrix<double> known = as_basis(state.traction);
     const Eigen::MatrixXd basis = space_.displacements().values * rigid_;
     const Eigen::MatrixXd work = operators_.mass(basis.sparseView(), known).toDense();
-    const double size = std::sqrt((operators_.mass(known, known).toDense())(0, 0)) * basis.norm();
+    const double size = (std::sqrt((operators_.mass(known, known).toDense())(0, 0)) +
+                         round_off * state.displacement.cwiseAbs().maxCoeff()) *
+                        basis.norm();
     if (work.cwiseAbs().maxCoeff() <= tolerance * size)
       return;
     std::ostringstream text;
@@ -253,7 +255,7 @@ namespace abut
 
   BoundaryState BoundaryProblem::solve(const BoundaryState &known) const
   {
-    check_balance(known.traction);
+    check_balance(known);
     // What is given: t_N, and u_D as the part of the displacement along supported directions.
     const Eigen::VectorXd given =
         known.displacement - displacements_ * (displacements_.transpose() * known.displacement);

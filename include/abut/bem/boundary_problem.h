@@ -64,7 +64,7 @@ namespace abut
     void factorise();
     /// Moves each hole as the traction demands.
     void place_holes(BoundaryState &state) const;
-    void check_balance(const Eigen::VectorXd &traction) const;
+    void check_balance(const BoundaryState &state) const;
 
     const BoundarySpace &space_;
     LayerOperators operators_;
