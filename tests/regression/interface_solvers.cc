@@ -6,6 +6,7 @@
 
 #include "program.h"
 #include <cmath>
+#include <iostream>
 
 using namespace abut::testing;
 

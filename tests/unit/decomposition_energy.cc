@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "decomposition_testing.h"
+#include <cmath>
 #include <random>
 
 using namespace abut;

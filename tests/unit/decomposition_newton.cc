@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The scheme newton: against independent solutions, at every penalty and stiffness ratio.
+#include <abut/decomposition/contact_residual.h>
 #include <abut/decomposition/interface_solver.h>
 #include <abut/decomposition/newton.h>
 #include <abut/decomposition/pivoting.h>
@@ -98,6 +99,35 @@ TEST(DecompositionNewton, ExactContactIsComplementary)
     EXPECT_GE(gap.minCoeff(), -small * size);
     EXPECT_LE(p.cwiseProduct(gap).cwiseAbs().maxCoeff(), 10. * small * pressure * size);
   }
+}
+
+TEST(DecompositionNewton, TheAlgebraicErrorIsOnTheSafeSide)
+{
+  // Exact contact, pressures off by smooth and rough amounts. The error is right for those that alternate
+  // from node to node, and too large by H/h = 8 at most for smooth ones.
+  const TwoLayers layers(
+      coarse_with({"Decomposition/Scheme=newton", "Contact interface/Penalty coefficient=0"}));
+  const InterfaceProblem &problem = layers.problem();
+  const Index n = problem.n_pressures();
+  const Eigen::MatrixXd z = compliance_matrix(problem);
+  const auto compliance = make_compliance(problem, ComplianceMode::dense, 0.);
+  const Eigen::VectorXd exact = newton(layers, ComplianceMode::dense, 1e-9).traction;
+  const Eigen::ArrayXd count = Eigen::ArrayXd::LinSpaced(n, 0., static_cast<double>(n - 1));
+  for (const double size : {1e-1, 1e-3, 1e-6})
+    for (const double waves : {0., .2, 1., 3.14159})
+      for (const double spread : {0., 1.})
+      {
+        const Eigen::ArrayXd wave = size * (waves * count).cos();
+        const Eigen::VectorXd p =
+            (exact.array() * (1. + wave) + spread * size * exact.maxCoeff() * wave.abs()).matrix();
+        const Eigen::VectorXd answer = z * p;
+        const double algebraic = contact_residual(problem, *compliance, layers.loads(), p, answer,
+                                                  layers.loads().response + answer, false);
+        const double error = energy_distance(z, p - exact) / layers.energy_norm(p);
+        std::printf("size %g, waves %g, spread %g: %.3f\n", size, waves, spread, algebraic / error);
+        EXPECT_GT(algebraic, .9 * error) << size << ' ' << waves << ' ' << spread;
+        EXPECT_LT(algebraic, 1.2 * 8. * error) << size << ' ' << waves << ' ' << spread;
+      }
 }
 
 TEST(DecompositionNewton, TheNeumannSchemeMakesNothingOfIt)

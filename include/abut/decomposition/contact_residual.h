@@ -14,7 +14,8 @@ namespace abut
    * parallel Neumann scheme. Needs theta > 0 and no motions as unknowns.
    *
    * Otherwise beta_i = D_i sum_a 1/E_a, what a half-plane yields under a load as wide as a node: an algebraic
-   * error, also for theta = 0; an estimate, the right size up to a factor of about 2.
+   * error, also for theta = 0. No bound, but on the safe side: right for errors that alternate from node to
+   * node, too large by up to H/h for smooth ones (a test compares).
    */
   double contact_residual(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                           const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,
