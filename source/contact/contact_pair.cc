@@ -44,13 +44,34 @@ namespace abut
         return initial_gap;
       };
     }
+    /**
+     * The pieces without those that were found right through a body: the back of a closed side, whose normals
+     * lead away from the master, meets the master's far side. All of them where nothing else is left: then
+     * the sides are wrong, and `checked` says so.
+     */
+    std::vector<Piece> without_far_sides(const std::vector<Piece> &pieces, const Trace &slave,
+                                         const Trace &master, const double depth)
+    {
+      std::vector<Piece> near;
+      for (const Piece &piece : pieces)
+      {
+        const Segment &segment = slave.segments()[piece.slave_segment];
+        const double s = .5 * (piece.start + piece.end);
+        const Projection opposite = project(master, master.segments()[piece.master_segment],
+                                            slave.point(segment, s), Trace::averaged_normal(segment, s));
+        if (opposite.gap >= -depth)
+          near.push_back(piece);
+      }
+      return near.empty() ? pieces : near;
+    }
   } // namespace
 
   ContactPair::ContactPair(const ContactDescription &description, const Placement &slave_placement,
                            const ContactBody &slave, const ContactBody &master, const Trace &slave_trace,
                            const Trace &master_trace)
       : ContactPair(description, slave, master, slave_trace, master_trace,
-                    common_refinement(slave_trace, master_trace),
+                    without_far_sides(common_refinement(slave_trace, master_trace), slave_trace, master_trace,
+                                      std::min(slave.depth, master.depth)),
                     checked(gap_function(description, slave_placement), description.name,
                             std::min(slave.depth, master.depth)))
   {}

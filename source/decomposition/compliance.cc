@@ -17,61 +17,124 @@ namespace abut
     public:
       explicit ComplianceBySolves(const InterfaceProblem &problem) : problem_(problem) {}
 
-      Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override { return respond(pressures); }
-      bool is_dense() const override { return false; }
-
-      /// Responses to pressures in columns.
-      Eigen::MatrixXd respond(const Eigen::MatrixXd &pressures) const
+      Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override
       {
         const std::size_t n_bodies = problem_.bodies().size();
-        std::vector<Eigen::MatrixXd> parts(n_bodies);
+        std::vector<Eigen::VectorXd> parts(n_bodies);
         for_each_body(n_bodies, [&](const std::size_t a) {
-          const Eigen::MatrixXd forces = problem_.contact_forces(a, pressures);
-          if (forces.size() > 0)
+          const Eigen::VectorXd forces = problem_.contact_forces(a, pressures);
+          if (forces.size() > 0 && !forces.isZero(0.))
             parts[a] = problem_.response_of(a, problem_.bodies()[a]->respond(forces));
         });
-        Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem_.response_size(), pressures.cols());
-        for (const Eigen::MatrixXd &part : parts)
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero(problem_.response_size());
+        for (const Eigen::VectorXd &part : parts)
           if (part.size() > 0)
             sum += part;
         return sum;
       }
+      const std::vector<ComplianceBlock> &blocks() const override { return no_blocks_; }
 
     private:
       const InterfaceProblem &problem_;
+      const std::vector<ComplianceBlock> no_blocks_;
     };
+
+    /// The multipliers of the pairs that a body has a side in.
+    std::vector<Index> multipliers_of(const InterfaceProblem &problem, const std::size_t body)
+    {
+      std::vector<Index> result;
+      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
+      {
+        const ContactPair &pair = problem.pairs()[i];
+        if (pair.slave().body == body || pair.master().body == body)
+          for (Index k = 0; k < pair.n_multipliers(); ++k)
+            result.push_back(problem.pressure_offset(i) + k);
+      }
+      return result;
+    }
+
+    /// What one body adds to Z.
+    ComplianceBlock block_of(const InterfaceProblem &problem, const std::size_t body)
+    {
+      ComplianceBlock block;
+      block.columns = block.rows = multipliers_of(problem, body);
+      for (Index k = 0; k < problem.bodies()[body]->trace_size() / 2; ++k)
+        block.rows.push_back(problem.normal_displacement_offset(body) + k);
+      const auto n = static_cast<Index>(block.columns.size());
+      block.matrix.resize(static_cast<Index>(block.rows.size()), n);
+      for (Index first = 0; first < n; first += columns_at_once)
+      {
+        const Index count = std::min(columns_at_once, n - first);
+        Eigen::MatrixXd units = Eigen::MatrixXd::Zero(problem.n_pressures(), count);
+        for (Index k = 0; k < count; ++k)
+          units(block.columns[static_cast<std::size_t>(first + k)], k) = 1.;
+        const Eigen::MatrixXd response =
+            problem.response_of(body, problem.bodies()[body]->respond(problem.contact_forces(body, units)));
+        block.matrix.middleCols(first, count) = response(block.rows, Eigen::all);
+      }
+      return block;
+    }
+
+    /// The sum of blocks as a single one.
+    ComplianceBlock merge(const InterfaceProblem &problem, const std::vector<ComplianceBlock> &blocks)
+    {
+      ComplianceBlock sum;
+      for (Index i = 0; i < problem.response_size(); ++i)
+        sum.rows.push_back(i);
+      sum.columns.assign(sum.rows.begin(), sum.rows.begin() + problem.n_pressures());
+      sum.matrix = Eigen::MatrixXd::Zero(problem.response_size(), problem.n_pressures());
+      for (const ComplianceBlock &block : blocks)
+        sum.matrix(block.rows, block.columns) += block.matrix;
+      return sum;
+    }
 
     class DenseCompliance : public InterfaceCompliance
     {
     public:
       explicit DenseCompliance(const InterfaceProblem &problem)
-          : matrix_(problem.response_size(), problem.n_pressures())
+          : response_size_(problem.response_size()), blocks_(problem.bodies().size())
       {
-        const ComplianceBySolves by_solves(problem);
-        const Index n = problem.n_pressures();
-        for (Index first = 0; first < n; first += columns_at_once)
-        {
-          const Index count = std::min(columns_at_once, n - first);
-          Eigen::MatrixXd units = Eigen::MatrixXd::Zero(n, count);
-          units.middleRows(first, count).setIdentity();
-          matrix_.middleCols(first, count) = by_solves.respond(units);
-        }
+        for_each_body(blocks_.size(), [&](const std::size_t a) { blocks_[a] = block_of(problem, a); });
+        if (problem.pairs().size() <= 1)
+          blocks_ = {merge(problem, blocks_)};
       }
 
-      Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override { return matrix_ * pressures; }
-      bool is_dense() const override { return true; }
+      Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override
+      {
+        if (blocks_.size() == 1)
+          return blocks_.front().matrix * pressures;
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero(response_size_);
+        for (const ComplianceBlock &block : blocks_)
+          sum(block.rows) += block.matrix * pressures(block.columns);
+        return sum;
+      }
+      const std::vector<ComplianceBlock> &blocks() const override { return blocks_; }
 
     private:
-      Eigen::MatrixXd matrix_;
+      Index response_size_;
+      std::vector<ComplianceBlock> blocks_;
     };
+
+    /// Most solves that a body needs for its block, and the entries of all blocks.
+    std::pair<double, double> cost_of_blocks(const InterfaceProblem &problem)
+    {
+      double solves = 0., entries = 0.;
+      for (std::size_t a = 0; a < problem.bodies().size(); ++a)
+      {
+        const auto n = static_cast<double>(multipliers_of(problem, a).size());
+        solves = std::max(solves, n);
+        entries += n * (n + static_cast<double>(problem.bodies()[a]->trace_size()));
+      }
+      return {solves, entries};
+    }
   } // namespace
 
   std::unique_ptr<InterfaceCompliance> make_compliance(const InterfaceProblem &problem,
                                                        const ComplianceMode mode, const double expected_steps)
   {
-    const auto n = static_cast<double>(problem.n_pressures());
-    const bool fits = n * static_cast<double>(problem.response_size()) <= largest_matrix;
-    if (mode == ComplianceMode::dense || (mode == ComplianceMode::automatic && fits && n <= expected_steps))
+    const auto [solves, entries] = cost_of_blocks(problem);
+    if (mode == ComplianceMode::dense ||
+        (mode == ComplianceMode::automatic && entries <= largest_matrix && solves <= expected_steps))
       return std::make_unique<DenseCompliance>(problem);
     return std::make_unique<ComplianceBySolves>(problem);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/conjugate.h>
 #include <abut/decomposition/interface_solver.h>
 #include <abut/decomposition/neumann.h>
+#include <abut/decomposition/newton.h>
 #include <abut/decomposition/spectrum.h>
 
 #include <algorithm>
@@ -15,11 +17,38 @@ namespace abut
         largest_eigenvalue(problem, *make_compliance(problem, ComplianceMode::solves, 0.)));
   }
 
+  namespace
+  {
+    /// Solves of each body that a scheme takes where the compliance is not a matrix, times 2.5: as much
+    /// dearer is a solve for one right side than its share in a solve for 32 (both measured; see
+    /// contrib/schemes).
+    double expected_solves(const DecompositionParameters &parameters, const double relaxation,
+                           const std::optional<MotionTerms> &motions)
+    {
+      constexpr double of_active_sets = 160., of_conjugate_gradients = 100.;
+      switch (parameters.scheme)
+      {
+      case SchemeKind::newton:
+        return of_active_sets * static_cast<double>(1 + motions->size()); // right sides
+      case SchemeKind::conjugate:
+        return of_conjugate_gradients;
+      case SchemeKind::neumann:
+        break;
+      }
+      return expected_steps(relaxation, parameters.tolerance);
+    }
+  } // namespace
+
   InterfaceSolver::InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters)
-      : problem_(problem), parameters_(parameters), relaxation_(choose_relaxation(problem, parameters)),
-        compliance_(make_compliance(problem, parameters.compliance,
-                                    expected_steps(relaxation_, parameters.tolerance)))
-  {}
+      : problem_(problem), parameters_(parameters)
+  {
+    if (parameters.scheme == SchemeKind::neumann)
+      relaxation_ = choose_relaxation(problem, parameters);
+    else
+      motions_ = make_motion_terms(problem);
+    compliance_ =
+        make_compliance(problem, parameters.compliance, expected_solves(parameters, relaxation_, motions_));
+  }
 
   SchemeResult InterfaceSolver::solve(const InterfaceProblem::Loads &loads,
                                       const std::optional<Eigen::VectorXd> &start,
@@ -29,6 +58,24 @@ namespace abut
     DecompositionParameters parameters = parameters_;
     if (tolerance && parameters.stopping_rule == StoppingRule::bound)
       parameters.tolerance = *tolerance;
+    switch (parameters_.scheme)
+    {
+    case SchemeKind::newton:
+      return NewtonScheme(problem_, *compliance_, *motions_, parameters).solve(loads, {start, {}}, observer);
+    case SchemeKind::conjugate:
+      return ConjugateScheme(problem_, *compliance_, *motions_, parameters)
+          .solve(loads, {start, {}}, observer);
+    case SchemeKind::neumann:
+      break;
+    }
+    return solve_neumann(loads, start, observer, parameters);
+  }
+
+  SchemeResult InterfaceSolver::solve_neumann(const InterfaceProblem::Loads &loads,
+                                              const std::optional<Eigen::VectorXd> &start,
+                                              const StepObserver &observer,
+                                              const DecompositionParameters &parameters) const
+  {
     // Bodies that do not overlap under their loads do not press: an older traction would only have to decay.
     const bool overlaps = !problem_.pressures(loads.response).isZero(0.);
     const InterfaceState state =

@@ -27,6 +27,7 @@ namespace abut
 
   void Simulation::check_supports() const
   {
+    bool floats = false;
     for (const auto &body : bodies())
     {
       if (body->free_rigid_motions().empty())
@@ -38,10 +39,16 @@ namespace abut
         throw UserError("Body " + body->name() + " is held by nothing against " + motions +
                         ": give it supports in Body " + body->name() +
                         "/Conditions (a displacement condition on a side or at a point)");
-      throw UserError("Body " + body->name() + " is held by contact alone against " + motions +
-                      ": this version needs supports on every body; add a displacement condition to Body " +
-                      body->name() + "/Conditions");
+      if (scene_.decomposition.scheme == SchemeKind::neumann)
+        throw UserError("Body " + body->name() + " is held by contact alone against " + motions +
+                        ": Decomposition/Scheme = neumann needs supports on every body; take newton or "
+                        "conjugate, or add a displacement condition to Body " +
+                        body->name() + "/Conditions");
+      floats = true;
     }
+    if (floats &&
+        resultant_body() == nullptr) // rigid sides need the stiffness: those scenes are checked later
+      make_motion_terms(model_->problem());
   }
 
   Results Simulation::run(const RunObserver &observer)
@@ -141,7 +148,8 @@ namespace abut
     const SchemeResult &iteration = results.iteration;
     const double asked = scene_.decomposition.tolerance, share = scene_.adaptation.iteration_fraction;
     if (!adapts() || resultant_body() != nullptr || !iteration.converged() ||
-        iteration.stopped_by != StoppedBy::bound || iteration.iteration_error <= asked)
+        (iteration.stopped_by != StoppedBy::bound && iteration.stopped_by != StoppedBy::residual) ||
+        iteration.iteration_error <= asked)
       return true;
     const double allowed = std::max(asked, share * estimation_.discretisation());
     tolerance = std::max(asked, .5 * allowed);
@@ -160,13 +168,23 @@ namespace abut
                                            const double tolerance, const StepObserver &observer,
                                            Results &results) const
   {
+    const Body *const pressed = resultant_body();
+    if (pressed != nullptr && scene_.decomposition.scheme == SchemeKind::neumann)
+      return solve_with_resultant(*pressed, start, tolerance, observer, results);
+    return solver_->solve(model_->problem().loads(0.), start, observer, tolerance);
+  }
+
+  SchemeResult Simulation::solve_with_resultant(const Body &pressed,
+                                                const std::optional<Eigen::VectorXd> &start,
+                                                const double tolerance, const StepObserver &observer,
+                                                Results &results) const
+  {
     const InterfaceProblem &problem = model_->problem();
     std::optional<Eigen::VectorXd> from = start;
     SchemeResult result;
     double &delta = results.rigid_displacement;
     const auto solve = [&] {
-      const unsigned int steps_before =
-          result.steps; // a given force takes several solutions: one count for all
+      const unsigned int steps_before = result.steps; // several solutions: one count for all
       const auto count_on = [&](StepRecord record) {
         record.step += steps_before;
         observer(record);
@@ -176,31 +194,25 @@ namespace abut
       if (result.converged())
         from = result.traction;
     };
-    const Body *const pressed = resultant_body();
-    if (pressed == nullptr)
-    {
-      solve();
-      return result;
-    }
-    const std::size_t index = scene_.body_index(pressed->name());
+    const std::size_t index = scene_.body_index(pressed.name());
     const auto force = [&](const double displacement) {
       delta = displacement;
       solve();
       if (!result.converged())
         throw ComputationError(result.message);
       const Eigen::VectorXd contact = problem.contact_forces(index, result.traction);
-      return pressed->rigid_side_force(pressed->deformation(contact, delta), contact);
+      return pressed.rigid_side_force(pressed.deformation(contact, delta), contact);
     };
     double guess = std::abs(delta); // of the mesh before
     if (guess == 0.)
     {
-      guess = std::abs(pressed->resultant()->force) / pressed->material().young_modulus;
+      guess = std::abs(pressed.resultant()->force) / pressed.material().young_modulus;
       for (const ContactPair &pair : pairs())
         guess += std::max(1e-6 * pair.slave().depth, pair.coupling().smallest_gap);
     }
     delta =
-        find_rigid_displacement(force, pressed->resultant()->force, guess, std::max(10. * tolerance, 1e-10),
-                                "Body " + pressed->name() + ", side " + pressed->resultant()->boundary);
+        find_rigid_displacement(force, pressed.resultant()->force, guess, std::max(10. * tolerance, 1e-10),
+                                "Body " + pressed.name() + ", side " + pressed.resultant()->boundary);
     return result;
   }
 

@@ -24,6 +24,14 @@ namespace abut
       return largest;
     }
 
+    /// The gaps, negative in contact: without a penalty they are zero there, where the pressure says it.
+    Eigen::VectorXd closed_gaps(const ContactPair &pair, const PairResult &result)
+    {
+      if (pair.penalty() > 0.)
+        return result.gaps;
+      return (result.pressures.array() > 0.).select(-1., result.gaps.array());
+    }
+
     /// Distance of the reported state from the limit of the iteration.
     LimitDistance distance_from(const SchemeResult &limit, const SchemeResult &reached,
                                 const InterfaceProblem &problem, const double energy_norm)
@@ -52,8 +60,16 @@ namespace abut
     BodyResult result;
     result.body = &body;
     result.contact_forces = contact;
-    result.deformation = body.deformation(contact, results.rigid_displacement);
-    result.displacement = result.deformation + body.rigid_motion(results.rigid_displacement);
+    result.rigid_displacement = results.rigid_displacement;
+    Eigen::VectorXd motion = Eigen::VectorXd::Zero(body.space().n_dofs());
+    if (results.iteration.motions.size() > 0)
+    {
+      const Eigen::VectorXd own = solver_->motions()->all.of_body(results.iteration.motions, index);
+      result.rigid_displacement = body.rigid_side_displacement(own);
+      motion = body.free_motion(own);
+    }
+    result.deformation = body.deformation(contact, result.rigid_displacement);
+    result.displacement = result.deformation + body.rigid_motion(result.rigid_displacement) + motion;
     result.energy = body.strain_energy(result.deformation);
     result.max_von_mises = max_von_mises(body, result.deformation);
     result.reactions = body.reactions(result.deformation, contact);
@@ -80,7 +96,8 @@ namespace abut
       result.force += forces.segment<2>(i);
     result.normal_force = weights.dot(result.pressures);
     result.max_pressure = result.pressures.maxCoeff();
-    result.contact_length = (result.gaps.array() < 0.).select(weights, 0.).sum();
+    const Eigen::VectorXd closed = closed_gaps(pair, result);
+    result.contact_length = (closed.array() < 0.).select(weights, 0.).sum();
     result.min_gap = result.gaps.minCoeff();
     result.max_penetration = std::max(0., -result.min_gap);
     const auto displacement = [&](const ContactBody &side) -> Eigen::VectorXd {
@@ -88,8 +105,8 @@ namespace abut
       const auto size = static_cast<Index>(2 * body.body->contact_sides()[side.side].n_nodes());
       return body.body->trace_of(body.displacement).segment(body.body->trace_offset(side.side), size);
     };
-    result.missed = pair.missed_contact(*result.slave, displacement(pair.slave()),
-                                        displacement(pair.master()), result.gaps);
+    result.missed =
+        pair.missed_contact(*result.slave, displacement(pair.slave()), displacement(pair.master()), closed);
     return result;
   }
 
@@ -140,6 +157,8 @@ namespace abut
     items.emplace_back("mortar coupling inside bodies (hanging nodes)");
     if (scene_.contacts.empty())
       items.emplace_back("contact (a scene without pairs)");
+    if (results.iteration.motions.size() == 0)
+      items.emplace_back("rigid motions as unknowns of the interface problem (no body floats)");
     if (!results.compliance_is_dense)
       items.emplace_back("dense interface compliance (solves are cheaper here)");
     if (!exact_)

@@ -116,8 +116,13 @@ namespace abut
     const std::vector<PrescribedComponent> components = prescribed_components(description_, sides_, *space_);
     const Nodes nodes = free_nodes(*space_);
     const Vector2 centre = centre_of(nodes);
-    free_rigid_motions_ = abut::free_rigid_motions(components, centre, extent_of(nodes, centre));
+    const auto free_modes = free_rigid_modes(components, centre, extent_of(nodes, centre));
+    free_rigid_motions_.clear();
+    for (const RigidMode &mode : free_modes)
+      free_rigid_motions_.push_back(mode.description());
     supports_ = make_supports(name(), nodes.dofs, space_->n_dofs(), components);
+    floating_ =
+        free_modes.empty() ? FloatingModes() : FloatingModes(nodes, free_modes, supports_.free_directions);
     side_motion_ = supports_.moving;
     rigid_motions_ = split_off_rigid_motions(nodes, supports_);
     if (!space_->has_hanging_nodes())
@@ -168,7 +173,10 @@ namespace abut
 
     start = Clock::now();
     const auto &t = supports_.free_directions;
-    cholesky_ = std::make_unique<SparseCholesky>(t.transpose() * stiffness_ * t, "Body " + name());
+    Eigen::SparseMatrix<double> reduced = t.transpose() * stiffness_ * t;
+    if (floating_.size() > 0)
+      reduced = floating_.stiffened(reduced, "Body " + name());
+    cholesky_ = std::make_unique<SparseCholesky>(reduced, "Body " + name());
     ++counters_.factorisations;
     times.factorise = seconds_since(start);
     return times;
@@ -177,7 +185,10 @@ namespace abut
   Eigen::MatrixXd Body::solve(const Eigen::MatrixXd &reduced_loads) const
   {
     counters_.solves += static_cast<unsigned int>(reduced_loads.cols());
-    Eigen::MatrixXd solution = cholesky_->solve(reduced_loads);
+    const bool floats = floating_.size() > 0;
+    Eigen::MatrixXd solution = cholesky_->solve(floats ? floating_.balanced(reduced_loads) : reduced_loads);
+    if (floats)
+      solution = floating_.balanced(solution);
     if (!solution.allFinite())
       throw ComputationError("Body " + name() +
                              ": the solution is not finite; the loads or the stiffness are too large for the "

@@ -124,8 +124,21 @@ namespace abut
     return supports;
   }
 
-  std::vector<std::string> free_rigid_motions(const std::vector<PrescribedComponent> &components,
-                                              const Vector2 &centre, const double size)
+  std::string RigidMode::description() const
+  {
+    std::ostringstream text;
+    text.precision(3);
+    const auto clean = [](const double x) { return std::abs(x) < 1e-9 ? 0. : x; };
+    if (std::abs(rotation) < 1e-6)
+      text << "translation along (" << clean(translation.x()) << ", " << clean(translation.y()) << ")";
+    else // where the displacement vanishes
+      text << "rotation about (" << clean(centre.x() - translation.y() / rotation * size) << ", "
+           << clean(centre.y() + translation.x() / rotation * size) << ")";
+    return text.str();
+  }
+
+  std::vector<RigidMode> free_rigid_modes(const std::vector<PrescribedComponent> &components,
+                                          const Vector2 &centre, const double size)
   {
     Eigen::Matrix3d gram = Eigen::Matrix3d::Zero(); // of the conditions on (1, 0), (0, 1) and the rotation
     for (const PrescribedComponent &c : components)
@@ -136,22 +149,22 @@ namespace abut
       gram += row * row.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gram);
-    std::vector<std::string> motions;
+    std::vector<RigidMode> modes;
     for (int i = 0; i < 3; ++i)
-    {
-      if (solver.eigenvalues()[i] > free_motion * std::max(1., solver.eigenvalues()[2]))
-        continue;
-      const Eigen::Vector3d mode = solver.eigenvectors().col(i);
-      std::ostringstream text;
-      text.precision(3);
-      const auto clean = [](const double x) { return std::abs(x) < 1e-9 ? 0. : x; };
-      if (std::abs(mode[2]) < 1e-6)
-        text << "translation along (" << clean(mode[0]) << ", " << clean(mode[1]) << ")";
-      else // where mode + rotation (x - centre) / size vanishes
-        text << "rotation about (" << clean(centre.x() - mode[1] / mode[2] * size) << ", "
-             << clean(centre.y() + mode[0] / mode[2] * size) << ")";
-      motions.push_back(text.str());
-    }
+      if (solver.eigenvalues()[i] <= free_motion * std::max(1., solver.eigenvalues()[2]))
+      {
+        const Eigen::Vector3d mode = solver.eigenvectors().col(i);
+        modes.push_back({mode.head<2>(), mode[2], centre, size});
+      }
+    return modes;
+  }
+
+  std::vector<std::string> free_rigid_motions(const std::vector<PrescribedComponent> &components,
+                                              const Vector2 &centre, const double size)
+  {
+    std::vector<std::string> motions;
+    for (const RigidMode &mode : free_rigid_modes(components, centre, size))
+      motions.push_back(mode.description());
     return motions;
   }
 } // namespace abut

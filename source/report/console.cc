@@ -49,6 +49,8 @@ namespace abut
       {
       case StoppedBy::bound:
         return "by the guaranteed bound";
+      case StoppedBy::residual:
+        return "by the residual of the contact law";
       case StoppedBy::increment:
         return "because the contact displacement changed by only " + short_number(iteration.increment, 3);
       case StoppedBy::maximum_steps:
@@ -63,11 +65,14 @@ namespace abut
     {
       const SchemeResult &iteration = results.iteration;
       const unsigned int steps = results.steps();
-      out << "\n  Stopped after " << steps << (steps == 1 ? " step " : " steps ") << stop_text(iteration)
-          << ", gamma = " << short_number(iteration.relaxation, 3) << ".\n";
+      out << "\n  Stopped after " << steps << (steps == 1 ? " step " : " steps ") << stop_text(iteration);
+      if (iteration.relaxation > 0.)
+        out << ", gamma = " << short_number(iteration.relaxation, 3);
+      out << ".\n";
       if (std::isfinite(iteration.iteration_error))
-        out << "  Iteration error (energy norm) at most " << short_number(iteration.iteration_error, 3)
-            << " of the solution.\n";
+        out << "  Iteration error (energy norm) "
+            << (iteration.stopped_by == StoppedBy::residual ? "about " : "at most ")
+            << short_number(iteration.iteration_error, 3) << " of the solution.\n";
       if (const auto &limit = results.limit_distance)
         out << "  What that is worth: contact displacement " << percent(limit->displacement)
             << " from the limit of the iteration, energy norm " << percent(limit->energy)

@@ -42,6 +42,8 @@ namespace abut
               {"boundary_dofs", counts.boundary_dofs},
               {"energy", number(result.energy)},
               {"max_von_mises", number(result.max_von_mises)},
+              {"rigid_displacement",
+               result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
               {"min_level", min_level},
               {"max_level", mesh.n_levels() - 1},
               {"h_max", number(quality.h_max)},
@@ -93,13 +95,13 @@ namespace abut
                 {"force", "normal force of the first contact"}}}};
     }
 
-    /// Displacement of the scene's side with a given resultant, if it has one.
+    /// Displacement of the scene's first side with a given resultant, if it has one.
     Json rigid_displacement(const Results &results)
     {
-      const bool given =
-          std::any_of(results.bodies.begin(), results.bodies.end(),
-                      [](const BodyResult &body) { return body.body->resultant().has_value(); });
-      return given ? number(results.rigid_displacement) : Json(nullptr);
+      const auto given =
+          std::find_if(results.bodies.begin(), results.bodies.end(),
+                       [](const BodyResult &body) { return body.body->resultant().has_value(); });
+      return given != results.bodies.end() ? number(given->rigid_displacement) : Json(nullptr);
     }
 
     Json iteration_summary(const Results &results)
@@ -180,6 +182,8 @@ namespace abut
     {
     case StoppedBy::bound:
       return "bound";
+    case StoppedBy::residual:
+      return "residual";
     case StoppedBy::increment:
       return "increment";
     case StoppedBy::maximum_steps:

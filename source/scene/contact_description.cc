@@ -35,8 +35,10 @@ namespace abut
     prm.declare_entry("Gap", "geometry", Patterns::Anything(),
                       "Initial normal gap, negative for an overlap: geometry, or a formula in x, y of the "
                       "slave's own frame. Length, before the slave's Scale.");
-    prm.declare_entry("Penalty coefficient", "0.05", Patterns::Double(0.),
-                      "c of the penalty theta = (c/2) sum H/E over the two bodies, above 0. No unit.");
+    prm.declare_entry(
+        "Penalty coefficient", "0.05", Patterns::Double(0.),
+        "c of the penalty theta = (c/2) sum H/E over the two bodies. 0: exact contact, for the schemes "
+        "conjugate and newton. No unit.");
     prm.declare_entry(
         "Penalty", "0", Patterns::Double(0.),
         "theta itself, in place of the coefficient. Length per stress. 0: from the coefficient.");
@@ -55,9 +57,6 @@ namespace abut
     contact.penalty_coefficient = prm.get_double("Penalty coefficient");
     if (const double penalty = prm.get_double("Penalty"); penalty > 0.)
       contact.penalty = penalty;
-    else if (!(contact.penalty_coefficient > 0.))
-      throw UserError(where + "Penalty coefficient: received `" + prm.get("Penalty coefficient") +
-                      "`, allowed are numbers above 0: exact contact is beyond the scheme neumann");
     return contact;
   }
 } // namespace abut

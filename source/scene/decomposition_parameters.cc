@@ -8,7 +8,9 @@ namespace abut
 {
   namespace
   {
-    const Choices<SchemeKind> schemes{{"neumann", SchemeKind::neumann}};
+    const Choices<SchemeKind> schemes{{"neumann", SchemeKind::neumann},
+                                      {"conjugate", SchemeKind::conjugate},
+                                      {"newton", SchemeKind::newton}};
 
     const Choices<InitialGuess> initial_guesses{
         {"elastic layer", InitialGuess::elastic_layer},
@@ -47,18 +49,23 @@ namespace abut
   {
     namespace Patterns = dealii::Patterns;
     prm.declare_entry("Scheme", "neumann", Patterns::Selection(words_of(schemes)),
-                      "How the interface problem is solved: neumann, the parallel Neumann scheme.");
+                      "How the interface problem is solved. neumann: the parallel Neumann scheme. newton: "
+                      "primal-dual active set, a few steps whatever penalty and stiffness ratio. conjugate: "
+                      "projected conjugate gradients. The latter two allow a penalty of 0 (exact contact), "
+                      "bodies that contact alone holds and several rigid sides with given resultants.");
     prm.declare_entry(
         "Initial guess", "elastic layer response", Patterns::Selection(words_of(initial_guesses)),
         "elastic layer: normal displacements of the contact nodes that just close the gap, shared "
         "as by elastic layers. elastic layer response: the bodies' response to the pressure of "
-        "such layers.");
+        "such layers. For neumann; the other schemes begin where such layers would touch.");
     prm.declare_entry("Relaxation", "automatic", Patterns::Anything(),
-                      "gamma, a number above 0, or automatic. No unit.");
+                      "gamma of the scheme neumann, a number above 0, or automatic. No unit.");
     prm.declare_entry(
         "Stopping rule", "bound", Patterns::Selection(words_of(stopping_rules)),
-        "bound: guaranteed iteration error, relative, energy norm. increment: relative change of "
-        "the normal contact displacement of every body in a step.");
+        "bound: guaranteed iteration error, relative, energy norm; for conjugate and newton where the "
+        "penalty is 0 or tiny, or bodies float, the algebraic error of the contact law in the same norm. "
+        "increment (neumann only): relative change of the normal contact displacement of every body in a "
+        "step.");
     prm.declare_entry("Tolerance", "1e-6", Patterns::Double(0.),
                       "What the stopping rule asks for, above 0. No unit.");
     prm.declare_entry("Maximum steps", "100000", Patterns::Integer(1),

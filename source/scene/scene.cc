@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/scene/preamble.h>
 #include <abut/scene/scene.h>
+#include <abut/scene/scheme_checks.h>
 #include <abut/scene/section.h>
 #include <abut/scene/text.h>
 
@@ -178,16 +179,6 @@ namespace abut
     {
       for (const BodyDescription &body : scene.bodies)
         check_loads_beside_resultant(body);
-      std::size_t resultants = 0;
-      for (const auto &body : scene.bodies)
-        resultants += static_cast<std::size_t>(
-            std::count_if(body.conditions.begin(), body.conditions.end(),
-                          [](const Condition &c) { return c.kind == ConditionKind::resultant; }));
-      if (resultants > 1)
-        throw UserError(
-            "Conditions: received " + std::to_string(resultants) +
-            " resultants, one in a scene is allowed: several need an interface solver that is not "
-            "available in this version");
     }
 
     void check_adaptation(const Scene &scene)
@@ -255,6 +246,7 @@ namespace abut
       parse_rest(prm, preamble, scene);
       check_contacts(scene);
       check_resultants(scene);
+      check_scheme(scene);
       check_adaptation(scene);
       check_exact_conditions(scene);
       scene.parameters = used_parameters(prm, scene);

@@ -102,7 +102,7 @@ TEST(SceneErrors, the_other_sections)
   expect_refused({
       {"Tolerance=0.01", "Tolerance: received `0.01`, allowed is 0: tolerance-driven runs are not available"},
       {"Discretisation/Degree=0", "[Integer range 1...3 (inclusive)]"},
-      {"Decomposition/Scheme=newton", "[Selection neumann ]"},
+      {"Decomposition/Scheme=jacobi", "[Selection neumann|conjugate|newton ]"},
       {"Decomposition/Relaxation=fast", "received `fast`, allowed are automatic and numbers above 0"},
       {"Decomposition/Relaxation=0", "received `0`, allowed are automatic and numbers above 0"},
       {"Decomposition/Tolerance=0",
@@ -176,6 +176,28 @@ TEST(SceneErrors, more_than_one_resultant)
         file.read(
             {"Body upper/Conditions=top: resultant: 0, -1", "Body lower/Conditions=bottom: resultant: 1"});
       }),
-      "received 2 resultants, one in a scene is allowed: several need an interface solver that is not "
-      "available in this version");
+      "received 2 resultants, one in a scene is allowed for Decomposition/Scheme = neumann; several for "
+      "conjugate and newton");
+  EXPECT_NO_THROW(file.read({"Body upper/Conditions=top: resultant: 0, -1", "Decomposition/Scheme=newton",
+                             "Body lower/Conditions=bottom: resultant: 1"}));
+  expect_phrase(message_of([&] {
+                  file.read({"Body upper/Conditions=top: resultant: 0, -1; left: resultant: 1",
+                             "Decomposition/Scheme=newton"});
+                }),
+                "Body upper/Conditions: received 2 resultants, one on a body is allowed");
+}
+
+TEST(SceneErrors, what_the_scheme_cannot_do)
+{
+  const SceneFile file(two_squares);
+  for (const std::string &scheme : {std::string("newton"), std::string("conjugate")})
+  {
+    const std::string choice = "Decomposition/Scheme=" + scheme;
+    EXPECT_NO_THROW(file.read({choice, "Contact interface/Penalty coefficient=0"}));
+    expect_phrase(
+        message_of([&] {
+          file.read({choice, "Decomposition/Stopping rule=increment"});
+        }),
+        "Decomposition/Stopping rule: received `increment`, a rule for Decomposition/Scheme = neumann");
+  }
 }

@@ -8,19 +8,30 @@
 
 namespace abut
 {
+  /// A dense part of Z: the responses `rows` to the pressures of the multipliers `columns`. The first rows
+  /// are the gap integrals of these same multipliers, in their order. Z is the sum of its blocks.
+  struct ComplianceBlock
+  {
+    std::vector<Eigen::Index> columns, rows;
+    Eigen::MatrixXd matrix;
+  };
+
   /// The linear map Z from pressures to responses (see InterfaceProblem).
   class InterfaceCompliance
   {
   public:
     virtual ~InterfaceCompliance() = default;
     virtual Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const = 0;
-    virtual bool is_dense() const = 0;
+    /// Z as a matrix: one block where there is a single pair, else one for every body, so that the size grows
+    /// with the number of bodies and not with its square. Empty where Z is applied by solves.
+    virtual const std::vector<ComplianceBlock> &blocks() const = 0;
+    bool is_dense() const { return !blocks().empty(); }
   };
 
   /**
    * Z as a matrix, made once by a solve for every multiplier, or applied by a solve of every body each time:
-   * the same iterates. `automatic` takes the matrix when it costs no more solves than the expected number of
-   * steps.
+   * the same iterates. `automatic` takes the matrix when it costs no more solves of a body than the expected
+   * number of steps.
    */
   std::unique_ptr<InterfaceCompliance> make_compliance(const InterfaceProblem &problem, ComplianceMode mode,
                                                        double expected_steps);

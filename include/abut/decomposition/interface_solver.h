@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/decomposition/initial_guess.h>
+#include <abut/decomposition/motion_terms.h>
 #include <abut/decomposition/scheme.h>
 
 #include <memory>
@@ -18,7 +19,7 @@ namespace abut
   class InterfaceSolver
   {
   public:
-    /// The problem must outlive the solver.
+    /// The problem must outlive the solver. Throws UserError where contact cannot hold a floating body.
     InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters);
 
     /// Begins from `start` where given, else from the scene's initial guess. Where the
@@ -31,11 +32,18 @@ namespace abut
     SchemeResult limit(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &start) const;
 
     const InterfaceCompliance &compliance() const { return *compliance_; }
+    /// Null for the parallel Neumann scheme.
+    const MotionTerms *motions() const { return motions_ ? &*motions_ : nullptr; }
 
   private:
+    SchemeResult solve_neumann(const InterfaceProblem::Loads &loads,
+                               const std::optional<Eigen::VectorXd> &start, const StepObserver &observer,
+                               const DecompositionParameters &parameters) const;
+
     const InterfaceProblem &problem_;
     DecompositionParameters parameters_;
-    double relaxation_;
+    double relaxation_ = 0.;             ///< of the parallel Neumann scheme
+    std::optional<MotionTerms> motions_; ///< of the others
     std::unique_ptr<InterfaceCompliance> compliance_;
   };
 } // namespace abut

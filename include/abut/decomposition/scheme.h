@@ -39,6 +39,7 @@ namespace abut
   enum class StoppedBy
   {
     bound,
+    residual, ///< the algebraic error of the contact law, see contact_residual
     increment,
     maximum_steps,
     stalled
@@ -52,11 +53,15 @@ namespace abut
     Eigen::VectorXd response;
     /// The last iterate u^k as the pairs see it: the same, but where u^k is no field.
     Eigen::VectorXd iterate;
+    /// Amplitudes of the motions that no support prescribes (see InterfaceMotions); empty for the parallel
+    /// Neumann scheme.
+    Eigen::VectorXd motions;
     unsigned int steps = 0;
     StoppedBy stopped_by = StoppedBy::maximum_steps;
-    /// ||u - u_theta||_A is at most this times the smaller of ||u||_A and the norm of the part of u that
-    /// contact makes (energy norm, same mesh). NaN where there is no bound; after the increment rule it
-    /// belongs to the iterate before the last, which for gamma < gamma* is no better.
+    /// Stopped by `residual`: an algebraic error, see contact_residual. Else: ||u - u_theta||_A is at most
+    /// this times the smaller of ||u||_A and the norm of the part of u that contact makes (energy norm, same
+    /// mesh). NaN where there is no bound; after the increment rule it belongs to the iterate before the
+    /// last, which for gamma < gamma* is no better.
     double iteration_error = std::numeric_limits<double>::quiet_NaN();
     double increment = 0.;
     double relaxation = 0.; ///< gamma

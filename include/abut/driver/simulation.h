@@ -44,7 +44,8 @@ namespace abut
     /// What will be solved: bodies, unknowns, supports, rigid motions left free, gaps, penalties.
     void describe(std::ostream &out) const;
 
-    /// Throws UserError for a body whose supports leave a rigid motion free.
+    /// Throws UserError for a body whose supports leave a rigid motion free which the scheme cannot find, or
+    /// which contact cannot hold.
     void check_supports() const;
 
     /**
@@ -78,6 +79,9 @@ namespace abut
     bool iterated_enough(const Results &results, double &tolerance) const;
     SchemeResult solve_interface(const std::optional<Eigen::VectorXd> &start, double tolerance,
                                  const StepObserver &observer, Results &results) const;
+    /// The same where the displacement of the rigid side is found by a secant method.
+    SchemeResult solve_with_resultant(const Body &pressed, const std::optional<Eigen::VectorXd> &start,
+                                      double tolerance, const StepObserver &observer, Results &results) const;
     /// The body with a rigid side that carries a given force, or none.
     const Body *resultant_body() const;
 

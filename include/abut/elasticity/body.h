@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/elasticity/floating.h>
 #include <abut/elasticity/rigid_motion.h>
 #include <abut/elasticity/sparse_cholesky.h>
 #include <abut/elasticity/trace_body.h>
@@ -44,6 +45,8 @@ namespace abut
     const std::vector<Trace> &contact_sides() const override { return contact_sides_; }
     Eigen::MatrixXd respond(const Eigen::MatrixXd &forces) const override;
     LoadResponse respond_to_loads(double rigid_displacement) const override;
+    /// First the free rigid motions, then the rigid side with a given resultant.
+    BodyMotions motions() const override;
 
     const BodyDescription &description() const { return description_; }
     const Space &space() const { return *space_; }
@@ -76,7 +79,11 @@ namespace abut
     /// The rigid motion that the supports prescribe (see RigidMotions): displacement = deformation + rigid
     /// motion.
     Eigen::VectorXd rigid_motion(double rigid_displacement) const;
-    /// The whole displacement of all nodes.
+    /// What amplitudes of `motions` add to the displacement of all nodes, without that of the rigid side.
+    Eigen::VectorXd free_motion(const Eigen::VectorXd &amplitudes) const;
+    /// The displacement of the rigid side among amplitudes of `motions`; 0 without one.
+    double rigid_side_displacement(const Eigen::VectorXd &amplitudes) const;
+    /// The whole displacement of all nodes, but for free rigid motions.
     Eigen::VectorXd displacement(const Eigen::VectorXd &contact_forces, double rigid_displacement) const
     {
       return deformation(contact_forces, rigid_displacement) + rigid_motion(rigid_displacement);
@@ -121,6 +128,7 @@ namespace abut
     RigidMotions rigid_motions_;
     Eigen::VectorXd side_motion_; // a unit displacement of the rigid side, zero elsewhere
     std::vector<std::string> free_rigid_motions_;
+    FloatingModes floating_;
 
     Eigen::SparseMatrix<double> trace_to_dofs_; // n_dofs x trace_size
     Eigen::SparseMatrix<double> trace_to_free_; // the same, reduced to the free directions

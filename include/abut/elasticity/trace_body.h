@@ -17,6 +17,19 @@ namespace abut
   };
 
   /**
+   * What an interface problem may have to find beside the contact pressures: amplitudes alpha of a body's
+   * rigid motions that no support holds, and of the displacement of a rigid side that carries a given force.
+   * The body is in balance where stiffness . alpha = loads + traces^T f with the contact forces f.
+   */
+  struct BodyMotions
+  {
+    Eigen::MatrixXd traces;    ///< displacements of the contact sides for unit amplitudes, a column each
+    Eigen::MatrixXd stiffness; ///< zero for rigid motions
+    Eigen::VectorXd loads;     ///< what the body's loads, supports and given force do on the motions
+    std::vector<std::string> names;
+  };
+
+  /**
    * A body as contact/ and decomposition/ see it: something that turns forces on its contact sides into
    * displacements of its contact sides. All contact sides of the body follow one another in one trace vector.
    */
@@ -30,12 +43,19 @@ namespace abut
     virtual const std::vector<Trace> &contact_sides() const = 0;
 
     /// Displacements (trace vectors, a column each) under consistent nodal forces on the contact sides,
-    /// supports at rest.
+    /// supports at rest. Of a body with free rigid motions: the part that is orthogonal to them, for that
+    /// part of the forces which is in balance.
     virtual Eigen::MatrixXd respond(const Eigen::MatrixXd &forces) const = 0;
 
     /// The response to the body's own loads and supports, where the rigid side with a given resultant (if the
     /// body has one) moves by `rigid_displacement`.
     virtual LoadResponse respond_to_loads(double rigid_displacement) const = 0;
+
+    /// The motions that are not prescribed; those of a body without any have no columns.
+    virtual BodyMotions motions() const
+    {
+      return {Eigen::MatrixXd(trace_size(), 0), Eigen::MatrixXd(0, 0), Eigen::VectorXd(0), {}};
+    }
 
     /// Position of a contact side's first component in a trace vector.
     Eigen::Index trace_offset(std::size_t side) const;

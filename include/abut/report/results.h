@@ -43,6 +43,7 @@ namespace abut
     Eigen::VectorXd contact_forces; ///< a trace vector; that the estimated error refers to
     double energy = 0.;             ///< strain energy
     double max_von_mises = 0.;      ///< over the Gauss points
+    double rigid_displacement = 0.; ///< of the side that carries a given resultant
     Reactions reactions;
     Eigen::VectorXd eta;        ///< of each cell, where estimated
     std::vector<Stress> better; ///< the estimator's better stress (CellErrors::better); may be empty
@@ -58,7 +59,7 @@ namespace abut
     Vector2 force = Vector2::Zero(); ///< resultant on the slave side
     double normal_force = 0.;        ///< sum of D_i p_i
     double max_pressure = 0.;
-    double contact_length = 0.;  ///< sum of D_i over the nodes with a negative gap
+    double contact_length = 0.;  ///< sum of D_i over the nodes with a negative gap; exact contact: pressure
     double max_penetration = 0.; ///< largest -g_i, 0 without contact
     double min_gap = 0.;         ///< smallest g_i
     /// Pieces of the slave side that overlap far from any node in contact: contact smaller than a cell.
@@ -127,7 +128,7 @@ namespace abut
     std::vector<PassRecord> passes;
     std::optional<AdaptationEnd> adaptation_end;
     std::optional<LimitDistance> limit_distance;
-    double rigid_displacement = 0.; ///< of the side that carries a given resultant
+    double rigid_displacement = 0.; ///< scheme neumann: of the one side that carries a given resultant
     bool compliance_is_dense = false;
     TrueErrors true_errors;
     Times times;

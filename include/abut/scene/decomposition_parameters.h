@@ -12,7 +12,9 @@ namespace abut
 {
   enum class SchemeKind
   {
-    neumann ///< the parallel Neumann scheme, (20)-(21) of the paper
+    neumann,   ///< the parallel Neumann scheme, (20)-(21) of the paper
+    conjugate, ///< projected conjugate gradients
+    newton     ///< primal-dual active set
   };
 
   enum class InitialGuess

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace abut
+{
+  /// x >= 0 that makes |A x - b| smallest: the active-set method of Lawson and Hanson, Solving Least Squares
+  /// Problems (1974), chapter 23.
+  Eigen::VectorXd nonnegative_fit(const Eigen::MatrixXd &matrix, const Eigen::VectorXd &right_side);
+} // namespace abut

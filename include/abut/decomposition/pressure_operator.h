@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/compliance.h>
+
+#include <memory>
+
+namespace abut
+{
+  /// The multipliers that are taken as in contact, in increasing order.
+  using ActiveSet = std::vector<Eigen::Index>;
+
+  /// C + theta D as the active-set methods need it: applied, and inverted on active sets.
+  class PressureOperator
+  {
+  public:
+    virtual ~PressureOperator() = default;
+    /// Z p; the first rows are C p. An operator may know no further rows.
+    virtual Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const = 0;
+    /// The solutions x of (C + theta D)_AA x = b for right sides in columns, to a relative accuracy. Throws
+    /// ComputationError where the matrix is not positive definite.
+    virtual Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
+                                  double accuracy) const = 0;
+  };
+
+  /// Elastic layers in place of the bodies: C = (k_1 + k_2) D.
+  std::unique_ptr<PressureOperator> make_layer_operator(const InterfaceProblem &problem);
+
+  /// By factorisation where the compliance is a matrix: dense for one block, sparse for more. Otherwise by
+  /// conjugate gradients with `model_compliance` as preconditioner.
+  std::unique_ptr<PressureOperator> make_pressure_operator(const InterfaceProblem &problem,
+                                                           const InterfaceCompliance &compliance);
+
+  /**
+   * A matrix like C, made of the sides' places and the bodies' depths and moduli alone: C_ij is about D_i D_j
+   * sum_a 2 / (pi E_a) K_0(kappa r_ij), the half-planes' logarithm near by, cut off at the depth of the
+   * bodies. Pairs are taken as independent. A preconditioner: the condition of C grows with the number of
+   * nodes, that of the preconditioned one does not.
+   */
+  Eigen::MatrixXd model_compliance(const InterfaceProblem &problem, const ActiveSet &active);
+} // namespace abut

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/conjugate.h>
+#include <abut/decomposition/newton.h>
+#include <abut/decomposition/projected_gradients.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <limits>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    constexpr double proximal_softness = 1e-2; // of the layers' stiffness
+    constexpr int most_outer_steps = 200;
+    constexpr double first_accuracy = .1; // of the gradient, times the tolerance
+
+    /// The problem in sqrt(D) p with the motions eliminated, for one proximal step.
+    class ScaledProblem
+    {
+    public:
+      ScaledProblem(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                    const MotionTerms &motions)
+          : problem_(problem), compliance_(compliance), motions_(motions),
+            scaling_(
+                (problem.weights().array() > 0.).select(problem.weights().array().max(1e-300).rsqrt(), 0.)),
+            softness_(proximal_softness * motions.layer_stiffness)
+      {
+        if (motions.size() > 0)
+          factor_.compute(motions.stiffness + Eigen::MatrixXd(softness_.asDiagonal()));
+      }
+
+      Eigen::VectorXd pressures(const Eigen::VectorXd &x) const { return scaling_.cwiseProduct(x); }
+      Eigen::VectorXd scaled(const Eigen::VectorXd &pressures) const
+      {
+        return problem_.weights().cwiseSqrt().cwiseProduct(pressures);
+      }
+      /// alpha for pressures.
+      Eigen::VectorXd motions_for(const Eigen::VectorXd &pressures, const Eigen::VectorXd &before) const
+      {
+        return solve(motions_.loads + softness_.cwiseProduct(before) + motions_.gaps.transpose() * pressures);
+      }
+      Eigen::VectorXd product(const Eigen::VectorXd &x) const
+      {
+        const Eigen::VectorXd p = pressures(x);
+        Eigen::VectorXd gaps = compliance_.apply(p).head(p.size());
+        gaps += problem_.weights().cwiseProduct(problem_.penalties()).cwiseProduct(p);
+        gaps += motions_.gaps * solve(motions_.gaps.transpose() * p);
+        return scaling_.cwiseProduct(gaps);
+      }
+      Eigen::VectorXd linear(const Eigen::VectorXd &gaps, const Eigen::VectorXd &before) const
+      {
+        return scaling_.cwiseProduct(gaps +
+                                     motions_.gaps * solve(motions_.loads + softness_.cwiseProduct(before)));
+      }
+
+    private:
+      Eigen::VectorXd solve(const Eigen::VectorXd &right_side) const
+      {
+        return motions_.size() > 0 ? Eigen::VectorXd(factor_.solve(right_side)) : right_side;
+      }
+
+      const InterfaceProblem &problem_;
+      const InterfaceCompliance &compliance_;
+      const MotionTerms &motions_;
+      Eigen::VectorXd scaling_, softness_;
+      Eigen::LDLT<Eigen::MatrixXd> factor_;
+    };
+
+    bool is_balanced(const MotionTerms &motions, const Eigen::VectorXd &pressures,
+                     const Eigen::VectorXd &amplitudes, const double tolerance)
+    {
+      if (motions.size() == 0)
+        return true;
+      const double scale =
+          motions.force_scale(pressures) + 1e-6 * motions.layer_stiffness.dot(amplitudes.cwiseAbs());
+      return motions.unbalanced(pressures, amplitudes).cwiseAbs().maxCoeff() <=
+             std::max(1e-10, .01 * tolerance) * scale;
+    }
+  } // namespace
+
+  ConjugateScheme::ConjugateScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                                   const MotionTerms &motions, const DecompositionParameters &parameters)
+      : problem_(problem), compliance_(compliance), motions_(motions), parameters_(parameters)
+  {}
+
+  SchemeResult ConjugateScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
+                                      const StepObserver &observer) const
+  {
+    const ScaledProblem scaled(problem_, compliance_, motions_);
+    const Eigen::VectorXd gaps = loads.response.head(problem_.n_pressures());
+    const LayerGuess layers = layer_guess(problem_, motions_, loads);
+    Eigen::VectorXd x = scaled.scaled(start.traction ? start.traction->cwiseMax(0.) : layers.pressures);
+    Eigen::VectorXd motions = layers.motions;
+    const auto product = [&](const Eigen::VectorXd &v) { return scaled.product(v); };
+    BoundedProblem bounded{product, {}, rough_norm(product, x.size())};
+    unsigned int steps = 0;
+    const auto count_on = [&](const Eigen::VectorXd &iterate) {
+      const Eigen::VectorXd p = scaled.pressures(iterate);
+      if (observer)
+        observer({steps, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                  problem_.weights().dot(p), p.size() > 0 ? p.maxCoeff() : 0.});
+    };
+    double accuracy = first_accuracy * parameters_.tolerance;
+    for (int outer = 1;; ++outer)
+    {
+      bounded.linear = scaled.linear(gaps, motions);
+      const double small =
+          accuracy * (bounded.linear.cwiseMin(0.).norm() + std::numeric_limits<double>::min());
+      const bool minimal =
+          ProjectedGradients(bounded).solve(small, parameters_.maximum_steps, steps, x, count_on);
+      const Eigen::VectorXd p = scaled.pressures(x);
+      motions = scaled.motions_for(p, motions);
+      SchemeResult result = contact_result(problem_, compliance_, motions_, loads, p, motions,
+                                           compliance_.apply(p), parameters_.tolerance);
+      result.steps = steps;
+      const bool balanced = is_balanced(motions_, p, motions, parameters_.tolerance);
+      if (balanced && result.iteration_error <= parameters_.tolerance)
+        return result;
+      if (!minimal || outer == most_outer_steps)
+      {
+        result.stopped_by = StoppedBy::maximum_steps;
+        result.message = minimal
+                             ? "The scheme conjugate does not come nearer to the tolerance; take the scheme "
+                               "newton or raise Decomposition/Tolerance"
+                             : "The scheme conjugate has not reached the tolerance within "
+                               "Decomposition/Maximum steps = " +
+                                   std::to_string(parameters_.maximum_steps);
+        return result;
+      }
+      accuracy = std::max(.2 * accuracy, 1e-13);
+    }
+  }
+} // namespace abut

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/contact_residual.h>
+#include <abut/decomposition/neumann.h>
+#include <abut/decomposition/newton.h>
+#include <abut/decomposition/pivoting.h>
+
+#include <algorithm>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    constexpr double direct_accuracy = 1e-13;
+    constexpr int most_tightenings = 5; // of the inner iteration
+
+    std::string failure(const PivotResult &result, const DecompositionParameters &parameters)
+    {
+      if (result.cycles)
+        return "The scheme newton has come back to a set of contact nodes it had left: rounding keeps it "
+               "from "
+               "deciding between them; give the contacts a small Penalty coefficient or take the scheme "
+               "conjugate";
+      if (result.too_many)
+        return "The scheme newton has not found the nodes in contact within Decomposition/Maximum steps = " +
+               std::to_string(parameters.maximum_steps);
+      if (!result.balanced)
+        return "The scheme newton has not found contact forces that balance the floating bodies; check their "
+               "loads and what they touch, or add displacement conditions";
+      return {};
+    }
+
+    /// Tells an observer of each state.
+    class StepReport
+    {
+    public:
+      StepReport(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                 const MotionTerms &motions, const InterfaceProblem::Loads &loads,
+                 const StepObserver &observer)
+          : problem_(problem), compliance_(compliance), motions_(motions), loads_(loads), observer_(observer),
+            before_(loads.response)
+      {}
+
+      void operator()(const unsigned int step, const PivotState &state)
+      {
+        Eigen::VectorXd response = loads_.response + state.response;
+        response += motions_.all.responses * motions_.amplitudes(state.motions);
+        increment_ = relative_change(problem_, response, before_);
+        before_ = response;
+        if (!observer_)
+          return;
+        const double error =
+            contact_residual(problem_, compliance_, loads_, state.pressures, state.response, response, false);
+        observer_({step, increment_, error, problem_.weights().dot(state.pressures),
+                   state.pressures.size() > 0 ? state.pressures.maxCoeff() : 0.});
+      }
+      double increment() const { return increment_; }
+
+    private:
+      const InterfaceProblem &problem_;
+      const InterfaceCompliance &compliance_;
+      const MotionTerms &motions_;
+      const InterfaceProblem::Loads &loads_;
+      const StepObserver &observer_;
+      Eigen::VectorXd before_;
+      double increment_ = 0.;
+    };
+  } // namespace
+
+  LayerGuess layer_guess(const InterfaceProblem &problem, const MotionTerms &motions,
+                         const InterfaceProblem::Loads &loads)
+  {
+    constexpr unsigned int most_steps = 1000;
+    const auto layers = make_layer_operator(problem);
+    const Index n = problem.n_pressures();
+    const Eigen::VectorXd gaps = loads.response.head(n);
+    const PivotState state = ActiveSetMethod(problem, *layers, motions, direct_accuracy, most_steps)
+                                 .solve(gaps, (-gaps).cwiseMax(0.), Eigen::VectorXd::Zero(motions.size()), {})
+                                 .state;
+    return {state.pressures.cwiseMax(0.), state.motions};
+  }
+
+  SchemeResult contact_result(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                              const MotionTerms &motions, const InterfaceProblem::Loads &loads,
+                              const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
+                              const Eigen::VectorXd &pressure_response, const double tolerance)
+  {
+    SchemeResult result;
+    result.traction = pressures.cwiseMax(0.);
+    result.motions = motions.amplitudes(amplitudes);
+    result.response = loads.response + pressure_response + motions.all.responses * result.motions;
+    result.iterate = result.response;
+    const auto error = [&](const bool guaranteed) {
+      return contact_residual(problem, compliance, loads, result.traction, pressure_response, result.response,
+                              guaranteed);
+    };
+    const bool bounded =
+        motions.size() == 0 && problem.n_pressures() > 0 && (problem.penalties().array() > 0.).all();
+    result.stopped_by = StoppedBy::bound;
+    result.iteration_error = bounded ? error(true) : tolerance + 1.;
+    if (result.iteration_error > tolerance)
+    {
+      result.stopped_by = StoppedBy::residual;
+      result.iteration_error = error(false);
+    }
+    return result;
+  }
+
+  NewtonScheme::NewtonScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                             const MotionTerms &motions, const DecompositionParameters &parameters)
+      : problem_(problem), compliance_(compliance), motions_(motions), parameters_(parameters)
+  {}
+
+  SchemeResult NewtonScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
+                                   const StepObserver &observer) const
+  {
+    const auto contact = make_pressure_operator(problem_, compliance_);
+    const LayerGuess layers = layer_guess(problem_, motions_, loads);
+    Eigen::VectorXd pressures = start.traction ? *start.traction : layers.pressures, motions = layers.motions;
+    double accuracy =
+        compliance_.is_dense() ? direct_accuracy : std::max(.01 * parameters_.tolerance, direct_accuracy);
+    StepReport report(problem_, compliance_, motions_, loads, observer);
+    unsigned int steps = 0;
+    for (int tightened = 0;; ++tightened)
+    {
+      const auto count_on = [&](const unsigned int step, const PivotState &state) {
+        report(steps + step, state);
+      };
+      const PivotResult pivots =
+          ActiveSetMethod(problem_, *contact, motions_, accuracy, parameters_.maximum_steps)
+              .solve(loads.response.head(problem_.n_pressures()), pressures, motions, count_on);
+      steps += pivots.steps;
+      SchemeResult result =
+          contact_result(problem_, compliance_, motions_, loads, pivots.state.pressures, pivots.state.motions,
+                         pivots.state.response, parameters_.tolerance);
+      result.steps = steps;
+      result.increment = report.increment();
+      result.message = failure(pivots, parameters_);
+      if (!result.message.empty())
+        result.stopped_by = pivots.too_many ? StoppedBy::maximum_steps : StoppedBy::stalled;
+      if (!result.message.empty() || result.iteration_error <= parameters_.tolerance)
+        return result;
+      if (accuracy <= direct_accuracy || tightened == most_tightenings)
+      {
+        result.stopped_by = StoppedBy::stalled;
+        result.message =
+            "The scheme newton has found the nodes in contact, but round-off keeps the error above "
+            "the tolerance; raise Decomposition/Tolerance";
+        return result;
+      }
+      accuracy = std::max(.01 * accuracy, direct_accuracy);
+      pressures = result.traction;
+      motions = pivots.state.motions;
+    }
+  }
+} // namespace abut

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/pivoting.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    constexpr int most_tries = 3;               // of flipping all without progress
+    constexpr double first_softness = 1e-6;     // eps of the proximal steps, of the layers' stiffness
+    constexpr double smallest_softness = 1e-12; //
+    constexpr int most_proximal_steps = 12;
+    constexpr double in_balance = 1e-14; // of the forces
+
+    ActiveSet indices(const std::vector<bool> &active)
+    {
+      ActiveSet result;
+      for (std::size_t i = 0; i < active.size(); ++i)
+        if (active[i])
+          result.push_back(static_cast<Index>(i));
+      return result;
+    }
+  } // namespace
+
+  bool BlockPivoting::flip(const std::vector<Index> &infeasible, std::vector<bool> &active)
+  {
+    const auto change = [&](const Index i) {
+      active[static_cast<std::size_t>(i)] = !active[static_cast<std::size_t>(i)];
+    };
+    if (infeasible.size() < fewest_)
+    {
+      fewest_ = infeasible.size();
+      tries_ = most_tries;
+      seen_.clear();
+    }
+    if (tries_ > 0)
+    {
+      --tries_;
+      std::for_each(infeasible.begin(), infeasible.end(), change);
+      return true;
+    }
+    if (!seen_.insert(active).second)
+      return false;
+    change(infeasible.back());
+    return true;
+  }
+
+  ActiveSetMethod::ActiveSetMethod(const InterfaceProblem &problem, const PressureOperator &pressure_operator,
+                                   const MotionTerms &motions, const double accuracy,
+                                   const unsigned int maximum_steps)
+      : problem_(problem), operator_(pressure_operator), motions_(motions), accuracy_(accuracy),
+        maximum_steps_(maximum_steps)
+  {}
+
+  void ActiveSetMethod::solve_on(const Factored &system, const Eigen::VectorXd &softness,
+                                 const Eigen::VectorXd &before, PivotState &state) const
+  {
+    const auto &y = system.solutions;
+    Eigen::VectorXd on_active = y.col(0);
+    state.motions = before;
+    if (motions_.size() > 0)
+    {
+      const Eigen::MatrixXd gaps = motions_.gaps(system.active, Eigen::all);
+      Eigen::MatrixXd schur = motions_.stiffness + gaps.transpose() * y.rightCols(motions_.size());
+      schur.diagonal() += softness;
+      // Scaled to a unit diagonal: bodies of very different stiffness.
+      const Eigen::VectorXd scaling = schur.diagonal().cwiseSqrt().cwiseInverse();
+      // No symmetric factorisation: where the solutions are iterates, the matrix is not quite symmetric, and
+      // the balance would be as inexact as they are.
+      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(scaling.asDiagonal() * schur * scaling.asDiagonal());
+      const Eigen::VectorXd right_side =
+          motions_.loads + softness.cwiseProduct(before) + gaps.transpose() * on_active;
+      state.motions = scaling.asDiagonal() * factor.solve(scaling.asDiagonal() * right_side);
+      on_active -= y.rightCols(motions_.size()) * state.motions;
+    }
+    state.pressures = Eigen::VectorXd::Zero(problem_.n_pressures());
+    state.pressures(system.active) = on_active;
+    state.response = operator_.respond(state.pressures);
+  }
+
+  std::vector<Index> ActiveSetMethod::infeasible(const Eigen::VectorXd &gaps, const PivotState &state,
+                                                 const std::vector<bool> &active) const
+  {
+    const Index n = problem_.n_pressures();
+    const Eigen::VectorXd moved = motions_.gaps * state.motions;
+    const Eigen::VectorXd slack = gaps + moved + state.response.head(n);
+    const Eigen::ArrayXd sizes =
+        gaps.array().abs() + moved.array().abs() + state.response.head(n).array().abs();
+    double gap_size = 0.;
+    for (Index i = 0; i < n; ++i)
+      if (problem_.weights()[i] > 0.)
+        gap_size = std::max(gap_size, sizes[i] / problem_.weights()[i]);
+    const double tolerance = 10. * accuracy_, pressure_size = state.pressures.lpNorm<Eigen::Infinity>();
+    std::vector<Index> result;
+    for (Index i = 0; i < n; ++i)
+      if (active[static_cast<std::size_t>(i)] ? state.pressures[i] < -tolerance * pressure_size
+                                              : slack[i] < -tolerance * gap_size * problem_.weights()[i])
+        result.push_back(i);
+    return result;
+  }
+
+  PivotResult ActiveSetMethod::solve(const Eigen::VectorXd &gaps, const Eigen::VectorXd &pressures,
+                                     const Eigen::VectorXd &motions, const Observer &observer) const
+  {
+    std::vector<bool> active(static_cast<std::size_t>(gaps.size()));
+    for (Index i = 0; i < gaps.size(); ++i)
+      active[static_cast<std::size_t>(i)] = pressures[i] > 0. && problem_.weights()[i] > 0.;
+    Eigen::VectorXd softness = first_softness * motions_.layer_stiffness, before = motions;
+    PivotResult result;
+    BlockPivoting pivoting;
+    Factored system;
+    for (int proximal_steps = 0;;)
+    {
+      if (result.steps == 0 || indices(active) != system.active)
+      {
+        system.active = indices(active);
+        Eigen::MatrixXd right_sides(static_cast<Index>(system.active.size()), 1 + motions_.size());
+        right_sides.col(0) = -gaps(system.active);
+        right_sides.rightCols(motions_.size()) = motions_.gaps(system.active, Eigen::all);
+        system.solutions =
+            system.active.empty() ? right_sides : operator_.solve(system.active, right_sides, accuracy_);
+        ++result.steps;
+      }
+      solve_on(system, softness, before, result.state);
+      if (observer)
+        observer(result.steps, result.state);
+      const std::vector<Index> wrong = infeasible(gaps, result.state, active);
+      if (wrong.empty())
+      {
+        const Eigen::VectorXd force = motions_.unbalanced(result.state.pressures, result.state.motions);
+        if (motions_.size() == 0 ||
+            force.cwiseAbs().maxCoeff() <= in_balance * motions_.force_scale(result.state.pressures))
+          return result;
+        if (++proximal_steps == most_proximal_steps)
+        {
+          result.balanced = force.cwiseAbs().maxCoeff() <=
+                            1e-10 * (motions_.force_scale(result.state.pressures) +
+                                     motions_.layer_stiffness.dot(result.state.motions.cwiseAbs()));
+          return result;
+        }
+        before = result.state.motions;
+        softness = (.01 * softness).cwiseMax(smallest_softness * motions_.layer_stiffness);
+        pivoting = BlockPivoting();
+        continue;
+      }
+      result.too_many = result.steps >= maximum_steps_;
+      result.cycles = !result.too_many && !pivoting.flip(wrong, active);
+      if (result.too_many || result.cycles)
+        return result;
+    }
+  }
+} // namespace abut

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Small problems with bounds against all their active sets.
+#include <abut/decomposition/nonnegative_fit.h>
+#include <abut/decomposition/projected_gradients.h>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace abut;
+
+namespace
+{
+  constexpr int n_unknowns = 7;
+
+  Eigen::MatrixXd random_matrix(const int rows, std::mt19937 &generator)
+  {
+    std::normal_distribution<double> normal;
+    return Eigen::MatrixXd::NullaryExpr(rows, n_unknowns, [&] { return normal(generator); });
+  }
+
+  /// The minimiser of x . Q x / 2 + b . x over x >= 0: the best of the 2^n solutions on faces.
+  Eigen::VectorXd best_of_all_faces(const Eigen::MatrixXd &q, const Eigen::VectorXd &b)
+  {
+    Eigen::VectorXd best = Eigen::VectorXd::Zero(n_unknowns);
+    double least = 0.;
+    for (unsigned int face = 1; face < (1u << n_unknowns); ++face)
+    {
+      // The unknowns off the face have equations x_i = 0 of their own.
+      Eigen::MatrixXd system = Eigen::MatrixXd::Identity(n_unknowns, n_unknowns);
+      Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n_unknowns);
+      for (int i = 0; i < n_unknowns; ++i)
+        if ((face >> i) & 1u)
+        {
+          right_side[i] = -b[i];
+          for (int j = 0; j < n_unknowns; ++j)
+            system(i, j) = (face >> j) & 1u ? q(i, j) : 0.;
+        }
+      const Eigen::VectorXd x = system.partialPivLu().solve(right_side);
+      if (x.minCoeff() < 0.)
+        continue;
+      const double value = .5 * x.dot(q * x) + b.dot(x);
+      if (value < least)
+      {
+        least = value;
+        best = x;
+      }
+    }
+    return best;
+  }
+} // namespace
+
+TEST(DecompositionBounded, ProjectedGradientsFindTheMinimum)
+{
+  std::mt19937 generator(3);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    const Eigen::MatrixXd a = random_matrix(9, generator), q = a.transpose() * a;
+    const Eigen::VectorXd b = random_matrix(1, generator).row(0);
+    const auto product = [&](const Eigen::VectorXd &x) -> Eigen::VectorXd { return q * x; };
+    const BoundedProblem problem{product, b, rough_norm(product, n_unknowns)};
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(n_unknowns, trial % 2 == 0 ? 0. : 1.);
+    unsigned int products = 0;
+    EXPECT_TRUE(ProjectedGradients(problem).solve(1e-12, 10000, products, x, {}));
+    EXPECT_LT((x - best_of_all_faces(q, b)).norm(), 1e-8) << trial;
+    unsigned int few = 0;
+    Eigen::VectorXd start = Eigen::VectorXd::Constant(n_unknowns, 1.);
+    EXPECT_FALSE(ProjectedGradients(problem).solve(1e-12, 2, few, start, {}));
+  }
+}
+
+TEST(DecompositionBounded, NonnegativeFitIsTheBestOfAllFaces)
+{
+  std::mt19937 generator(5);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    const Eigen::MatrixXd a = random_matrix(9, generator);
+    const Eigen::VectorXd b = random_matrix(9, generator).col(0);
+    const Eigen::VectorXd expected = best_of_all_faces(a.transpose() * a, -a.transpose() * b);
+    EXPECT_LT((nonnegative_fit(a, b) - expected).norm(), 1e-9 * (1. + expected.norm())) << trial;
+  }
+}
+
+TEST(DecompositionBounded, NonnegativeFitOfMoreUnknownsThanEquations)
+{
+  std::mt19937 generator(9);
+  const Eigen::MatrixXd a = random_matrix(3, generator);
+  const Eigen::VectorXd b = a * Eigen::VectorXd::LinSpaced(n_unknowns, 0., 3.); // can be met
+  const Eigen::VectorXd x = nonnegative_fit(a, b);
+  EXPECT_GE(x.minCoeff(), 0.);
+  EXPECT_LT((a * x - b).norm(), 1e-12 * b.norm());
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The scheme newton: against independent solutions, at every penalty and stiffness ratio.
+#include <abut/decomposition/contact_residual.h>
+#include <abut/decomposition/interface_solver.h>
+#include <abut/decomposition/newton.h>
+#include <abut/decomposition/pivoting.h>
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include "decomposition_testing.h"
+#include <cmath>
+
+using namespace abut;
+
+namespace
+{
+  using Index = Eigen::Index;
+
+  const std::vector<std::string> coarse_meshes = {"Body upper/Cells=24, 6", "Body lower/Cells=32, 8",
+                                                  "Decomposition/Stopping rule=bound",
+                                                  "Decomposition/Tolerance=1e-6"};
+
+  std::vector<std::string> coarse_with(const std::vector<std::string> &more)
+  {
+    std::vector<std::string> all = coarse_meshes;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  SchemeResult newton(const TwoLayers &layers, const ComplianceMode mode, const double tolerance,
+                      const StepObserver &observer = {})
+  {
+    DecompositionParameters parameters = layers.parameters();
+    parameters.tolerance = tolerance;
+    const auto compliance = make_compliance(layers.problem(), mode, 0.);
+    const MotionTerms motions = make_motion_terms(layers.problem());
+    return NewtonScheme(layers.problem(), *compliance, motions, parameters)
+        .solve(layers.loads(), {std::nullopt, {}}, observer);
+  }
+} // namespace
+
+TEST(DecompositionNewton, FindsTheLimitOfTheNeumannScheme)
+{
+  const TwoLayers layers(coarse_meshes);
+  const Eigen::MatrixXd c = compliance_matrix(layers.problem());
+  const Eigen::VectorXd expected = limit_pressures(layers.problem(), c, layers.loads());
+  for (const ComplianceMode mode : {ComplianceMode::dense, ComplianceMode::solves})
+  {
+    const SchemeResult result = newton(layers, mode, 1e-9);
+    EXPECT_TRUE(result.converged()) << result.message;
+    EXPECT_EQ(result.stopped_by, StoppedBy::bound);
+    EXPECT_LE(result.steps, 10u);
+    EXPECT_LT((result.traction - expected).norm(), 1e-8 * expected.norm());
+    // the bound holds
+    EXPECT_LE(energy_distance(c, result.traction - expected),
+              (result.iteration_error + 1e-14) * layers.energy_norm(result.traction));
+  }
+}
+
+TEST(DecompositionNewton, StepsDoNotGrowWithPenaltyOrContrast)
+{
+  for (const char *const stiffness : {"2.1e-1", "2.1e5", "2.1e11"})
+    for (const char *const c : {"1e-1", "5e-4", "1e-8", "0"})
+      for (const char *const scheme : {"newton", "conjugate"})
+      {
+        const TwoLayers layers(coarse_with({std::string("Decomposition/Scheme=") + scheme,
+                                            std::string("Body upper/Young modulus=") + stiffness,
+                                            std::string("Contact interface/Penalty coefficient=") + c}));
+        const InterfaceSolver solver(layers.problem(), layers.parameters());
+        const SchemeResult result = solver.solve(layers.loads(), {}, {});
+        EXPECT_TRUE(result.converged()) << result.message;
+        if (layers.parameters().scheme == SchemeKind::newton)
+        {
+          EXPECT_LE(result.steps, 10u) << stiffness << ' ' << c;
+        }
+        std::printf("%-9s E1 = %s, c = %s: %u steps, error %.1e\n", scheme, stiffness, c, result.steps,
+                    result.iteration_error);
+      }
+}
+
+TEST(DecompositionNewton, ExactContactIsComplementary)
+{
+  // against all active sets' own conditions: no gap and no pressure at once, neither of the wrong sign
+  const TwoLayers layers(
+      coarse_with({"Decomposition/Scheme=newton", "Contact interface/Penalty coefficient=0"}));
+  const Index n = layers.problem().n_pressures();
+  const Eigen::MatrixXd c = compliance_matrix(layers.problem()).topRows(n);
+  for (const ComplianceMode mode : {ComplianceMode::dense, ComplianceMode::solves})
+  {
+    const SchemeResult result = newton(layers, mode, 1e-9);
+    EXPECT_TRUE(result.converged()) << result.message;
+    EXPECT_EQ(result.stopped_by, StoppedBy::residual);
+    const Eigen::VectorXd p = result.traction, gap = (layers.loads().response.head(n) + c * p)
+                                                         .cwiseQuotient(layers.problem().weights());
+    const double pressure = p.maxCoeff(), size = gap.maxCoeff(),
+                 small = mode == ComplianceMode::dense ? 1e-12 : 1e-9;
+    EXPECT_GE(p.minCoeff(), 0.);
+    EXPECT_GE(gap.minCoeff(), -small * size);
+    EXPECT_LE(p.cwiseProduct(gap).cwiseAbs().maxCoeff(), 10. * small * pressure * size);
+  }
+}
+
+TEST(DecompositionNewton, TheAlgebraicErrorIsOnTheSafeSide)
+{
+  // Exact contact, pressures off by smooth and rough amounts. The error is right for those that alternate
+  // from node to node, and too large by H/h = 8 at most for smooth ones.
+  const TwoLayers layers(
+      coarse_with({"Decomposition/Scheme=newton", "Contact interface/Penalty coefficient=0"}));
+  const InterfaceProblem &problem = layers.problem();
+  const Index n = problem.n_pressures();
+  const Eigen::MatrixXd z = compliance_matrix(problem);
+  const auto compliance = make_compliance(problem, ComplianceMode::dense, 0.);
+  const Eigen::VectorXd exact = newton(layers, ComplianceMode::dense, 1e-9).traction;
+  const Eigen::ArrayXd count = Eigen::ArrayXd::LinSpaced(n, 0., static_cast<double>(n - 1));
+  for (const double size : {1e-1, 1e-3, 1e-6})
+    for (const double waves : {0., .2, 1., 3.14159})
+      for (const double spread : {0., 1.})
+      {
+        const Eigen::ArrayXd wave = size * (waves * count).cos();
+        const Eigen::VectorXd p =
+            (exact.array() * (1. + wave) + spread * size * exact.maxCoeff() * wave.abs()).matrix();
+        const Eigen::VectorXd answer = z * p;
+        const double algebraic = contact_residual(problem, *compliance, layers.loads(), p, answer,
+                                                  layers.loads().response + answer, false);
+        const double error = energy_distance(z, p - exact) / layers.energy_norm(p);
+        std::printf("size %g, waves %g, spread %g: %.3f\n", size, waves, spread, algebraic / error);
+        EXPECT_GT(algebraic, .9 * error) << size << ' ' << waves << ' ' << spread;
+        EXPECT_LT(algebraic, 1.2 * 8. * error) << size << ' ' << waves << ' ' << spread;
+      }
+}
+
+TEST(DecompositionNewton, TheNeumannSchemeMakesNothingOfIt)
+{
+  const TwoLayers layers(coarse_meshes);
+  EXPECT_EQ(InterfaceSolver(layers.problem(), layers.parameters()).motions(), nullptr);
+}
+
+TEST(DecompositionNewton, ConjugateGradientsFindTheSame)
+{
+  for (const char *const c : {"5e-2", "0"})
+  {
+    const TwoLayers layers(coarse_with({"Decomposition/Scheme=conjugate", "Decomposition/Tolerance=1e-8",
+                                        std::string("Contact interface/Penalty coefficient=") + c}));
+    const SchemeResult expected = newton(layers, ComplianceMode::dense, 1e-10);
+    for (const char *const mode : {"dense", "solves"})
+    {
+      DecompositionParameters parameters = layers.parameters();
+      parameters.compliance = std::string(mode) == "dense" ? ComplianceMode::dense : ComplianceMode::solves;
+      const SchemeResult result = InterfaceSolver(layers.problem(), parameters).solve(layers.loads(), {}, {});
+      EXPECT_TRUE(result.converged()) << result.message;
+      EXPECT_LT((result.traction - expected.traction).norm(), 1e-6 * expected.traction.norm());
+      EXPECT_GE(result.traction.minCoeff(), 0.);
+    }
+  }
+}
+
+TEST(DecompositionNewton, PivotingNeverComesBackUnnoticed)
+{
+  // Two entries that always ask for the opposite: single flips come back to a set that was there.
+  BlockPivoting pivoting;
+  std::vector<bool> active = {true, false};
+  int flips = 0;
+  while (flips < 100 && pivoting.flip({0, 1}, active))
+    ++flips;
+  EXPECT_GE(flips, 3); // blocks first
+  EXPECT_LE(flips, 10);
+}
+
+TEST(DecompositionNewton, ModelComplianceKeepsIterationsBounded)
+{
+  // Preconditioned condition: from 33 to 129 nodes the plain one grows fourfold.
+  std::vector<double> conditions;
+  for (const char *const cells : {"32, 8", "64, 16", "128, 32"})
+  {
+    const TwoLayers layers(
+        {std::string("Body upper/Cells=") + cells, std::string("Body lower/Cells=") + cells});
+    const Index n = layers.problem().n_pressures();
+    ActiveSet all;
+    for (Index i = 0; i < n; ++i)
+      all.push_back(i);
+    const Eigen::MatrixXd c = compliance_matrix(layers.problem()).topRows(n),
+                          model = model_compliance(layers.problem(), all);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(c, model, Eigen::EigenvaluesOnly);
+    conditions.push_back(solver.eigenvalues()[n - 1] / solver.eigenvalues()[0]);
+    std::printf("%s: condition %.3g, preconditioned %.3g\n", cells,
+                Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c).eigenvalues()[n - 1] /
+                    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c).eigenvalues()[0],
+                conditions.back());
+  }
+  EXPECT_LT(conditions.back(), 50.);
+  EXPECT_LT(conditions.back(), 1.3 * conditions.front());
+}
