@@ -135,7 +135,8 @@ namespace abut
       items.emplace_back("error estimation (no estimator asked for)");
     if (!adapts())
       items.emplace_back("adaptation (no body adapts)");
-    items.emplace_back("boundary elements (no estimator asked for)");
+    if (scene_.adaptation.estimator != EstimatorKind::fe_be)
+      items.emplace_back("boundary elements (the estimator fe-be was not asked for)");
     items.emplace_back("mortar coupling inside bodies (hanging nodes)");
     if (scene_.contacts.empty())
       items.emplace_back("contact (a scene without pairs)");
