@@ -123,7 +123,6 @@ namespace abut
 
   void BoundaryProblem::find_rigid_motions()
   {
-    constexpr double none = 1e-8; // of a unit motion
     const Index n = space_.n_nodes();
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(2 * n, 3);
     motions.col(0).head(n).setOnes();
@@ -133,16 +132,45 @@ namespace abut
       motions(node, 2) = -space_.node_places()[static_cast<std::size_t>(node)].imag();
       motions(n + node, 2) = space_.node_places()[static_cast<std::size_t>(node)].real();
     }
-    const Eigen::MatrixXd free = displacements_.transpose() * motions;
-    const Eigen::MatrixXd prevented = motions - displacements_ * free;
+    rigid_ = undetermined_ = unhindered(motions);
+    add_motions_of_holes(motions);
+  }
+
+  Eigen::MatrixXd BoundaryProblem::unhindered(const Eigen::MatrixXd &motions) const
+  {
+    constexpr double none = 1e-8; // of a unit motion
+    const Eigen::MatrixXd prevented = motions - displacements_ * (displacements_.transpose() * motions);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(prevented, Eigen::ComputeThinV);
-    const double size = std::sqrt(static_cast<double>(n));
+    const double size = motions.leftCols(2).norm() / std::sqrt(2.);
     Index n_free = 0;
     while (n_free < 3 && svd.singularValues()[2 - n_free] < none * size)
       ++n_free;
-    rigid_ = motions * svd.matrixV().rightCols(n_free);
-    for (Index k = 0; k < n_free; ++k)
-      rigid_.col(k).normalize();
+    Eigen::MatrixXd free = motions * svd.matrixV().rightCols(n_free);
+    free.colwise().normalize();
+    return free;
+  }
+
+  void BoundaryProblem::add_motions_of_holes(const Eigen::MatrixXd &motions)
+  {
+    std::vector<bool> seen(space_.elements().size(), false);
+    for (std::size_t first = 0; first < seen.size(); ++first)
+    {
+      double area = 0.;
+      Eigen::VectorXd on_curve = Eigen::VectorXd::Zero(motions.rows());
+      for (std::size_t element = first; !seen[element]; element = space_.next(element))
+      {
+        seen[element] = true;
+        const BoundaryElement &e = space_.elements()[element];
+        area += .5 * (std::conj(e.start) * e.end).imag();
+        for (const unsigned int node : space_.nodes(element))
+          on_curve[node] = on_curve[space_.n_nodes() + node] = 1.;
+      }
+      if (area >= 0.)
+        continue;
+      const Eigen::MatrixXd own = unhindered(on_curve.asDiagonal() * motions);
+      undetermined_.conservativeResize(motions.rows(), undetermined_.cols() + own.cols());
+      undetermined_.rightCols(own.cols()) = own;
+    }
   }
 
   void BoundaryProblem::factorise()
@@ -150,7 +178,7 @@ namespace abut
     Eigen::MatrixXd single = operators_.single_layer(tractions_, tractions_);
     mixed_ = operators_.double_layer(tractions_, free_);
     Eigen::MatrixXd schur = operators_.hypersingular(free_, free_);
-    const Eigen::MatrixXd rigid = displacements_.transpose() * rigid_;
+    const Eigen::MatrixXd rigid = displacements_.transpose() * undetermined_;
     if (rigid.cols() > 0)
       schur += schur.diagonal().mean() * rigid * rigid.transpose();
     if (single.rows() > 0)

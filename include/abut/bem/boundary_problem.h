@@ -33,7 +33,8 @@ namespace abut
    * every load. Displacements are given at the nodes that touch a supported element (supported_at_nodes);
    * where supports follow a polygon, tractions do no work on what is free there. Rigid motions that the
    * supports leave free are fixed by a term of their rank, which does not change the stress of a balanced
-   * load.
+   * load. So are those of a hole by itself, which these equations leave open whatever its load, and which
+   * make no stress in the body either (Vodicka, Mantic and Paris, IJNME 66 (2006)).
    */
   class BoundaryProblem
   {
@@ -57,6 +58,9 @@ namespace abut
   private:
     void choose_unknowns(const std::vector<std::vector<Vector2>> &supported, unsigned int traction_degree);
     void find_rigid_motions();
+    /// Those of the unit motions (displacement vectors) that the supports leave free, unit columns.
+    Eigen::MatrixXd unhindered(const Eigen::MatrixXd &motions) const;
+    void add_motions_of_holes(const Eigen::MatrixXd &motions);
     void factorise();
     void check_balance(const Eigen::VectorXd &traction) const;
 
@@ -66,6 +70,7 @@ namespace abut
     Eigen::SparseMatrix<double> displacements_; ///< displacement vector from its unknowns, orthonormal
     DisplacementBasis free_;                    ///< densities from the unknown displacements
     Eigen::MatrixXd rigid_;                     ///< free rigid motions: displacement vectors, orthonormal
+    Eigen::MatrixXd undetermined_;              ///< the same and those of holes
     Eigen::VectorXd traction_scale_, displacement_scale_;
     Eigen::MatrixXd mixed_; ///< K_DN, scaled
     Eigen::LLT<Eigen::MatrixXd> single_layer_, schur_complement_;
