@@ -212,4 +212,15 @@ namespace abut
           result[row] += node.weights[static_cast<Index>(j)] * field[node.dofs[j][component]];
     return result;
   }
+
+  bool has_singular_vertices(const Body &body)
+  {
+    const auto boundaries = body.space().mesh().triangulation.get_boundary_ids();
+    std::vector<Trace> sides;
+    for (const auto boundary : boundaries)
+      sides.push_back(body.space().trace(boundary));
+    const GradedSides graded(body, boundaries, sides, 0);
+    return std::any_of(graded.singular_ends().begin(), graded.singular_ends().end(),
+                       [](const bool singular) { return singular; });
+  }
 } // namespace abut

@@ -61,4 +61,7 @@ namespace abut
     unsigned int n_dofs_;
     std::vector<NewNode> new_nodes_;
   };
+
+  /// Whether a body has a vertex that GradedSides calls singular.
+  bool has_singular_vertices(const Body &body);
 } // namespace abut
