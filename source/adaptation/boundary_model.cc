@@ -57,9 +57,9 @@ namespace abut
                        [](const Condition &condition) { return condition.point.has_value(); }))
         return;
       const Reactions reactions = solution.body.reactions(solution.deformation, solution.contact_forces);
-      double size = reactions.applied.norm() + reactions.contact.norm();
-      for (const auto &[boundary, force] : reactions.by_boundary)
-        size += force.norm();
+      // The mean stress times the body's size: resultants vanish where a load is balanced.
+      const double size =
+          std::sqrt(2. * solution.body.strain_energy(solution.deformation) * solution.body.material().mu());
       for (const Condition &condition : conditions)
         if (condition.point && reactions.by_boundary.at(condition.boundary).norm() > small * size)
         {
@@ -90,10 +90,12 @@ namespace abut
     sides_ = std::make_unique<GradedSides>(body, boundaries, sides, graded ? n_splits : 0u);
     space_ = std::make_unique<BoundarySpace>(sides_->sides(), displacement_degree, displacement_degree);
     data_ = std::make_unique<BoundaryData>(body, boundaries, *sides_, *space_, traction_degree);
+    // From degree 3 on finite elements are soon better than the quick rule.
+    const bool needs_precision = kind == BoundarySolution::reference_quality || p > 2;
     if (kind != BoundarySolution::finite_element_trace)
       problem_ = std::make_unique<BoundaryProblem>(
           *space_, data_->supported(), traction_degree, body.material().poisson_ratio,
-          kind == BoundarySolution::reference_quality ? GalerkinRule::precise() : GalerkinRule::estimating());
+          needs_precision ? GalerkinRule::precise() : GalerkinRule::estimating());
   }
 
   BoundaryState BoundaryModel::solve(const BodySolution &solution) const
