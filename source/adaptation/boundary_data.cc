@@ -107,20 +107,28 @@ namespace abut
   void BoundaryData::take_off_uniform_force()
   {
     const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    uniform_support_ = Eigen::VectorXd::Zero(2 * n);
     const auto traction = [&](const std::size_t element, const double eta) {
       const Stress s = uniform_.stress(space_.elements()[element].point(eta));
       const Vector2 normal = outward_normal(space_.elements()[element]);
-      return unsupported_part(supported_[element], Vector2(s.xx * normal.x(), s.yy * normal.y()));
+      return Vector2(s.xx * normal.x(), s.yy * normal.y());
     };
-    for (std::size_t element = 0; element < supported_.size(); ++element)
-    {
-      const Vector2 at_start = traction(element, -1.), at_end = traction(element, 1.);
+    const auto add = [&](const std::size_t element, const Vector2 &at_start, const Vector2 &at_end,
+                         Eigen::VectorXd &density) {
       const Index row = static_cast<Index>(element) * n_each;
       for (Index component = 0; component < 2; ++component)
       {
-        prescribed_[component * n + row] -= .5 * (at_end + at_start)[component];
-        prescribed_[component * n + row + 1] -= .5 * (at_end - at_start)[component];
+        density[component * n + row] += .5 * (at_end + at_start)[component];
+        density[component * n + row + 1] += .5 * (at_end - at_start)[component];
       }
+    };
+    for (std::size_t element = 0; element < supported_.size(); ++element)
+    {
+      const Vector2 at_start = traction(element, -1.), at_end = traction(element, 1.),
+                    free_start = unsupported_part(supported_[element], at_start),
+                    free_end = unsupported_part(supported_[element], at_end);
+      add(element, -free_start, -free_end, prescribed_);
+      add(element, at_start - free_start, at_end - free_end, uniform_support_);
     }
     uniform_displacement_.resize(2 * space_.n_nodes());
     for (Index node = 0; node < space_.n_nodes(); ++node)
@@ -201,7 +209,8 @@ namespace abut
     const Eigen::SparseMatrix<double> matrix = densities.transpose() * mass.asDiagonal() * densities;
     const Eigen::VectorXd forces =
         motions.transpose() * space_.trace_of(support_forces) / body_.material().mu();
-    return densities * Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(forces);
+    return densities * Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(forces) -
+           uniform_support_;
   }
 
   std::vector<dealii::types::boundary_id> all_boundaries(const Body &body)

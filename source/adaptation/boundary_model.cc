@@ -57,9 +57,12 @@ namespace abut
                        [](const Condition &condition) { return condition.point.has_value(); }))
         return;
       const Reactions reactions = solution.body.reactions(solution.deformation, solution.contact_forces);
-      // The mean stress times the body's size: resultants vanish where a load is balanced.
-      const double size =
-          std::sqrt(2. * solution.body.strain_energy(solution.deformation) * solution.body.material().mu());
+      // Resultants vanish where loads balance each other; the energy of the load does not.
+      double size =
+          std::sqrt(2. * solution.body.strain_energy(solution.deformation) * solution.body.material().mu()) +
+          reactions.applied.norm() + reactions.contact.norm();
+      for (const auto &[boundary, force] : reactions.by_boundary)
+        size += force.norm();
       for (const Condition &condition : conditions)
         if (condition.point && reactions.by_boundary.at(condition.boundary).norm() > small * size)
         {

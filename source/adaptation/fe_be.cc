@@ -32,6 +32,7 @@ namespace abut
         return found->second.model;
       kept_.erase(&body);
     }
+    ++cost.models;
     const auto start = std::chrono::steady_clock::now();
     auto model = std::make_shared<const BoundaryModel>(body, kind_);
     cost.assemble = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -4,7 +4,9 @@
 
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace abut
@@ -19,11 +21,10 @@ namespace abut
       return a.x() * b.y() - a.y() * b.x();
     }
 
-    /// Adds what a further element supports at a node: the mean of directions that differ by less than 45
-    /// degrees, both axes where they differ by more.
-    void merge(const Directions &added, Directions &directions)
+    /// Adds what a further element supports at a node: the mean of directions that differ by less than an
+    /// angle, of which the sine is given, both axes where they differ by more.
+    void merge(const Directions &added, const double sine, Directions &directions)
     {
-      constexpr double sine = .707;
       if (added.empty() || directions.size() == 2)
         return;
       if (directions.empty() || added.size() == 2)
@@ -45,6 +46,28 @@ namespace abut
       if (supported.size() == 2)
         return {};
       return {Vector2(-supported.front().y(), supported.front().x())};
+    }
+
+    /// The nodes of every hole: of the curves that run clockwise.
+    std::vector<std::vector<unsigned int>> holes(const BoundarySpace &space)
+    {
+      std::vector<std::vector<unsigned int>> all;
+      std::vector<bool> seen(space.elements().size(), false);
+      for (std::size_t first = 0; first < seen.size(); ++first)
+      {
+        std::vector<unsigned int> nodes;
+        double area = 0.;
+        for (std::size_t i = first; !seen[i]; i = space.next(i))
+        {
+          seen[i] = true;
+          nodes.insert(nodes.end(), space.nodes(i).begin(), space.nodes(i).end() - 1);
+          const BoundaryElement &element = space.elements()[i], &origin = space.elements()[first];
+          area += (std::conj(element.start - origin.start) * (element.end - origin.start)).imag();
+        }
+        if (area < 0.)
+          all.push_back(nodes);
+      }
+      return all;
     }
 
     Eigen::SparseMatrix<double> from_columns(const Index rows, const Index columns,
@@ -73,10 +96,19 @@ namespace abut
   std::vector<Directions> supported_at_nodes(const BoundarySpace &space,
                                              const std::vector<Directions> &supported)
   {
+    constexpr double curve = .707, parallel = 1e-6; // sines
     std::vector<Directions> at_node(static_cast<std::size_t>(space.n_nodes()));
     for (std::size_t i = 0; i < supported.size(); ++i)
       for (const unsigned int node : space.nodes(i))
-        merge(supported[i], at_node[node]);
+        at_node[node] = supported[i];
+    for (std::size_t i = 0; i < supported.size(); ++i)
+    {
+      const std::size_t next = space.next(i);
+      const double sine = space.side(i) == space.side(next) ? curve : parallel;
+      Directions &end = at_node[space.nodes(i).back()];
+      end = supported[i];
+      merge(supported[next], sine, end);
+    }
     return at_node;
   }
 
@@ -121,55 +153,44 @@ namespace abut
     free_ = {space_.displacements().values * displacements_, space_.displacements().slopes * displacements_};
   }
 
-  void BoundaryProblem::find_rigid_motions()
-  {
-    const Index n = space_.n_nodes();
-    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(2 * n, 3);
-    motions.col(0).head(n).setOnes();
-    motions.col(1).tail(n).setOnes();
-    for (Index node = 0; node < n; ++node)
-    {
-      motions(node, 2) = -space_.node_places()[static_cast<std::size_t>(node)].imag();
-      motions(n + node, 2) = space_.node_places()[static_cast<std::size_t>(node)].real();
-    }
-    rigid_ = undetermined_ = unhindered(motions);
-    add_motions_of_holes(motions);
-  }
-
-  Eigen::MatrixXd BoundaryProblem::unhindered(const Eigen::MatrixXd &motions) const
+  Eigen::MatrixXd BoundaryProblem::free_motions(const std::vector<unsigned int> &nodes) const
   {
     constexpr double none = 1e-8; // of a unit motion
+    const auto &places = space_.node_places();
+    Complex centre = 0.;
+    double radius = 0.;
+    for (const unsigned int node : nodes)
+      centre += places[node] / static_cast<double>(nodes.size());
+    for (const unsigned int node : nodes)
+      radius = std::max(radius, std::abs(places[node] - centre));
+    const Index n = space_.n_nodes();
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(2 * n, 3);
+    for (const unsigned int node : nodes)
+    {
+      const Complex turned = Complex(0., 1.) * (places[node] - centre) / radius;
+      motions.row(node) << 1., 0., turned.real();
+      motions.row(n + node) << 0., 1., turned.imag();
+    }
     const Eigen::MatrixXd prevented = motions - displacements_ * (displacements_.transpose() * motions);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(prevented, Eigen::ComputeThinV);
-    const double size = motions.leftCols(2).norm() / std::sqrt(2.);
+    const double size = std::sqrt(static_cast<double>(nodes.size()));
     Index n_free = 0;
     while (n_free < 3 && svd.singularValues()[2 - n_free] < none * size)
       ++n_free;
-    Eigen::MatrixXd free = motions * svd.matrixV().rightCols(n_free);
-    free.colwise().normalize();
-    return free;
+    return (motions * svd.matrixV().rightCols(n_free)).colwise().normalized();
   }
 
-  void BoundaryProblem::add_motions_of_holes(const Eigen::MatrixXd &motions)
+  void BoundaryProblem::find_rigid_motions()
   {
-    std::vector<bool> seen(space_.elements().size(), false);
-    for (std::size_t first = 0; first < seen.size(); ++first)
+    std::vector<unsigned int> all(static_cast<std::size_t>(space_.n_nodes()));
+    std::iota(all.begin(), all.end(), 0u);
+    rigid_ = free_motions(all);
+    hole_motions_.resize(2 * space_.n_nodes(), 0);
+    for (const std::vector<unsigned int> &hole : holes(space_))
     {
-      double area = 0.;
-      Eigen::VectorXd on_curve = Eigen::VectorXd::Zero(motions.rows());
-      for (std::size_t element = first; !seen[element]; element = space_.next(element))
-      {
-        seen[element] = true;
-        const BoundaryElement &e = space_.elements()[element];
-        area += .5 * (std::conj(e.start) * e.end).imag();
-        for (const unsigned int node : space_.nodes(element))
-          on_curve[node] = on_curve[space_.n_nodes() + node] = 1.;
-      }
-      if (area >= 0.)
-        continue;
-      const Eigen::MatrixXd own = unhindered(on_curve.asDiagonal() * motions);
-      undetermined_.conservativeResize(motions.rows(), undetermined_.cols() + own.cols());
-      undetermined_.rightCols(own.cols()) = own;
+      const Eigen::MatrixXd motions = free_motions(hole);
+      hole_motions_.conservativeResize(Eigen::NoChange, hole_motions_.cols() + motions.cols());
+      hole_motions_.rightCols(motions.cols()) = motions;
     }
   }
 
@@ -178,9 +199,12 @@ namespace abut
     Eigen::MatrixXd single = operators_.single_layer(tractions_, tractions_);
     mixed_ = operators_.double_layer(tractions_, free_);
     Eigen::MatrixXd schur = operators_.hypersingular(free_, free_);
-    const Eigen::MatrixXd rigid = displacements_.transpose() * undetermined_;
-    if (rigid.cols() > 0)
-      schur += schur.diagonal().mean() * rigid * rigid.transpose();
+    for (const Eigen::MatrixXd *const motions : {&rigid_, &hole_motions_})
+      if (motions->cols() > 0)
+      {
+        const Eigen::MatrixXd rigid = displacements_.transpose() * *motions;
+        schur += schur.diagonal().mean() * rigid * rigid.transpose();
+      }
     if (single.rows() > 0)
     {
       single_layer_ = cholesky(single, traction_scale_, "single layer");
@@ -193,15 +217,17 @@ namespace abut
       schur_complement_ = cholesky(schur, displacement_scale_, "Schur complement");
   }
 
-  void BoundaryProblem::check_balance(const Eigen::VectorXd &traction) const
+  void BoundaryProblem::check_balance(const BoundaryState &state) const
   {
-    constexpr double tolerance = 1e-6;
+    constexpr double tolerance = 1e-6, round_off = 1e-6; // 1e-12 of what given displacements load
     if (rigid_.cols() == 0)
       return;
-    const Eigen::SparseMatrix<double> known = as_basis(traction);
+    const Eigen::SparseMatrix<double> known = as_basis(state.traction);
     const Eigen::MatrixXd basis = space_.displacements().values * rigid_;
     const Eigen::MatrixXd work = operators_.mass(basis.sparseView(), known).toDense();
-    const double size = std::sqrt((operators_.mass(known, known).toDense())(0, 0)) * basis.norm();
+    const double size = (std::sqrt((operators_.mass(known, known).toDense())(0, 0)) +
+                         round_off * state.displacement.cwiseAbs().maxCoeff()) *
+                        basis.norm();
     if (work.cwiseAbs().maxCoeff() <= tolerance * size)
       return;
     std::ostringstream text;
@@ -212,9 +238,24 @@ namespace abut
     throw ComputationError(text.str());
   }
 
+  void BoundaryProblem::place_holes(BoundaryState &state) const
+  {
+    if (hole_motions_.cols() == 0)
+      return;
+    // (M/2 + K) r = M r at the hole itself, zero at all other curves.
+    const Eigen::MatrixXd densities = space_.displacements().values * hole_motions_;
+    const LegendreBasis motions = densities.sparseView();
+    const DisplacementBasis u{as_basis(space_.displacements().values * state.displacement),
+                              as_basis(space_.displacements().slopes * state.displacement)};
+    const Eigen::VectorXd missing = operators_.single_layer(motions, as_basis(state.traction)) -
+                                    .5 * operators_.mass(motions, u.values).toDense() -
+                                    operators_.double_layer(motions, u);
+    state.displacement += hole_motions_ * operators_.mass(motions, motions).toDense().llt().solve(missing);
+  }
+
   BoundaryState BoundaryProblem::solve(const BoundaryState &known) const
   {
-    check_balance(known.traction);
+    check_balance(known);
     // What is given: t_N, and u_D as the part of the displacement along supported directions.
     const Eigen::VectorXd given =
         known.displacement - displacements_ * (displacements_.transpose() * known.displacement);
@@ -243,6 +284,7 @@ namespace abut
     }
     if (f.size() > 0)
       state.traction += tractions_ * traction_scale_.cwiseProduct(single_layer_.matrixU().solve(f));
+    place_holes(state);
     return state;
   }
 } // namespace abut

@@ -78,6 +78,8 @@ namespace abut
   {
     Assert(displacement_degree <= density_degree && density_degree <= max_density_degree,
            dealii::ExcMessage("no such polynomials"));
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      sides_.insert(sides_.end(), sides[i].segments().size(), i);
     const Ends vertices = number_vertices(sides);
     connect(vertices);
     std::vector<std::array<Vector2, 2>> places;

@@ -8,7 +8,7 @@ namespace abut
     for (const GalerkinRule::FarPoints &far : rule.far)
     {
       distances_.push_back(far.distance);
-      rules_.emplace_back(rule.points(far.n_points, degree), degree);
+      rules_.emplace_back(GalerkinRule::points(far.n_points, degree), degree);
     }
   }
 

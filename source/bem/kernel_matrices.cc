@@ -5,7 +5,9 @@
 #include <abut/bem/near_pairs.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace abut
 {

@@ -139,10 +139,10 @@ namespace abut
   NearPairs::NearPairs(const GalerkinRule &rule, const unsigned int degree)
       : piece_length_(rule.piece_length), degree_(degree)
   {
-    const GaussRule plain(rule.points(rule.near_points, degree));
+    const GaussRule plain(GalerkinRule::points(rule.near_points, degree));
     plain_points_ = plain.points;
     plain_weights_ = plain.weights;
-    const GaussRule graded(rule.points(rule.touching_points, degree));
+    const GaussRule graded(GalerkinRule::points(rule.touching_points, degree));
     const double grading = rule.grading;
     graded_points_ = graded.points.array().pow(grading);
     graded_weights_ = grading * graded.points.array().pow(grading - 1.) * graded.weights.array();

@@ -2,6 +2,7 @@
 #include <abut/bem/pair_integrals.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace abut
 {

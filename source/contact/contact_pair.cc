@@ -3,6 +3,7 @@
 #include <abut/user_error.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -83,8 +84,7 @@ namespace abut
         for (const unsigned int node : segment.nodes)
           near[node] = true;
 
-    const Eigen::VectorXd pointwise =
-        samples_.gap + samples_.slave * slave_displacement + samples_.master * master_displacement;
+    const Eigen::VectorXd pointwise = sampled_gaps(slave_displacement, master_displacement);
     std::vector<Piece> missed;
     for (std::size_t i = 0; i < samples_.pieces.size(); ++i)
     {
@@ -96,5 +96,29 @@ namespace abut
         missed.push_back(samples_.pieces[i]);
     }
     return missed;
+  }
+
+  Eigen::VectorXd ContactPair::sampled_gaps(const Eigen::VectorXd &slave_displacement,
+                                            const Eigen::VectorXd &master_displacement) const
+  {
+    return samples_.gap + samples_.slave * slave_displacement + samples_.master * master_displacement;
+  }
+
+  double ContactPair::law_mismatch(const Trace &slave_trace, const Eigen::VectorXd &slave_displacement,
+                                   const Eigen::VectorXd &master_displacement,
+                                   const Eigen::VectorXd &traction) const
+  {
+    const std::array<double, GapSamples::per_piece> boole{7. / 90., 32. / 90., 12. / 90., 32. / 90.,
+                                                          7. / 90.};
+    const Eigen::ArrayXd gaps = sampled_gaps(slave_displacement, master_displacement);
+    const Eigen::ArrayXd pressures = samples_.slave * traction; // its rows are -n
+    const Eigen::ArrayXd products = pressures.abs() * (penalty_ * pressures + gaps).abs();
+    double sum = 0.;
+    Eigen::Index sample = 0;
+    for (const Piece &piece : samples_.pieces)
+      for (const double weight : boole)
+        sum += weight * (piece.end - piece.start) * slave_trace.segments()[piece.slave_segment].length *
+               products[sample++];
+    return sum;
   }
 } // namespace abut

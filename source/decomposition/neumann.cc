@@ -206,6 +206,8 @@ namespace abut
     for (unsigned int number = 1;; ++number)
     {
       Step step = take_step(loads, state, number);
+      step.record.answered = state.traction ? &*state.traction : nullptr;
+      step.record.applied = &step.pressures;
       if (observer)
         observer(step.record);
       // The bound belongs to the state that the step began with, the increment to the one it has made.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/command_line.h>
+#include <abut/driver/reproduction.h>
 #include <abut/driver/simulation.h>
 #include <abut/driver/study.h>
 #include <abut/report/atomic_file.h>
@@ -22,7 +23,7 @@ namespace abut
     {
       std::string file;
       std::vector<std::string> overrides;
-      bool check = false, quiet = false, print_parameters = false, study = false;
+      bool check = false, quiet = false, print_parameters = false, study = false, reproduce = false;
     };
 
     /// Empty where the command line is dealt with: `status` is then what to end with.
@@ -48,6 +49,11 @@ namespace abut
                          "Run the variants that the file's section Study lists: error against run time")
           ->fallthrough()
           ->parse_complete_callback([&] { options.study = true; });
+      app.add_subcommand("reproduce",
+                         "Run the file and the variants of its section Study; write the figures of "
+                         "doc/reproducing-the-paper.md and their data")
+          ->fallthrough()
+          ->parse_complete_callback([&] { options.reproduce = true; });
       app.footer("Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did "
                  "not reach what "
                  "it was asked for (the results say so).");
@@ -93,6 +99,7 @@ namespace abut
         history.add(record, seconds());
         progress.step(record);
       };
+      observer.estimate = [&](const StepEstimate &estimate) { history.add(estimate); };
       observer.end_pass = [&](const PassRecord &record) { history.end_pass(record); };
       Results results = simulation.run(observer);
       progress.finish();
@@ -128,6 +135,10 @@ namespace abut
       }
       if (options.study)
         return study(options, out, err);
+      if (options.reproduce)
+        return run_reproduction(options.file, options.overrides, options.quiet, out)
+                   ? ExitStatus::converged
+                   : ExitStatus::not_converged;
       const Scene scene = Scene::read(options.file, options.overrides);
       if (!options.check)
         return run_scene(scene, options.quiet, out, err);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/estimation.h>
+#include <abut/trace/applied_traction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,13 +9,10 @@ namespace abut
 {
   namespace
   {
-    /// sqrt(sum error^2) over all bodies, and relative to the norms' where there is any stress.
-    double relative(const double error, const std::vector<double> &norms)
+    /// Zero where there is no stress.
+    double by_norm(const double error, const double norm)
     {
-      double square = 0.;
-      for (const double norm : norms)
-        square += norm * norm;
-      return square > 0. ? error / std::sqrt(square) : 0.;
+      return norm > 0. ? error / norm : 0.;
     }
 
     void mark_missed(const Scene &scene, const PairResult &result, const std::vector<BodyResult> &bodies,
@@ -36,24 +34,47 @@ namespace abut
     }
   } // namespace
 
-  double Estimation::discretisation() const
+  double Estimation::energy_error() const
   {
     double square = 0.;
-    std::vector<double> norms;
     for (const CellErrors &body : errors)
-    {
       square += body.energy.squaredNorm();
-      norms.push_back(body.energy_norm);
-    }
-    return relative(std::sqrt(square), norms);
+    return std::sqrt(square);
+  }
+
+  double Estimation::energy_norm() const
+  {
+    double square = 0.;
+    for (const CellErrors &body : errors)
+      square += body.energy_norm * body.energy_norm;
+    return std::sqrt(square);
+  }
+
+  double Estimation::discretisation() const
+  {
+    return by_norm(energy_error(), energy_norm());
+  }
+
+  std::optional<double> Estimation::energy_bound() const
+  {
+    if (!law_mismatch)
+      return {};
+    const double b = energy_error();
+    return .5 * b + std::sqrt(.25 * b * b + *law_mismatch);
+  }
+
+  std::optional<double> Estimation::bound() const
+  {
+    const std::optional<double> bound = energy_bound();
+    return bound ? std::optional<double>(by_norm(*bound, energy_norm())) : bound;
   }
 
   double Estimation::stress() const
   {
-    std::vector<double> norms;
+    double square = 0.;
     for (const CellErrors &body : errors)
-      norms.push_back(body.stress_norm);
-    return relative(stress_error(), norms);
+      square += body.stress_norm * body.stress_norm;
+    return by_norm(stress_error(), std::sqrt(square));
   }
 
   double Estimation::stress_error() const
@@ -87,6 +108,27 @@ namespace abut
       estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
     });
     return estimation;
+  }
+
+  double law_mismatch(const std::vector<ContactPair> &pairs, const std::vector<BodyResult> &bodies)
+  {
+    double sum = 0.;
+    for (const ContactPair &pair : pairs)
+    {
+      const auto on_side = [&](const ContactBody &side, const Eigen::VectorXd &trace) -> Eigen::VectorXd {
+        const Body &body = *bodies[side.body].body;
+        const auto size = static_cast<Eigen::Index>(2 * body.contact_sides()[side.side].n_nodes());
+        return trace.segment(body.trace_offset(side.side), size);
+      };
+      const auto displacement = [&](const ContactBody &side) {
+        return on_side(side, bodies[side.body].body->trace_of(bodies[side.body].displacement));
+      };
+      const BodyResult &slave = bodies[pair.slave().body];
+      const Trace &trace = slave.body->contact_sides()[pair.slave().side];
+      sum += pair.law_mismatch(trace, displacement(pair.slave()), displacement(pair.master()),
+                               applied_traction(trace, on_side(pair.slave(), slave.contact_forces)));
+    }
+    return sum;
   }
 
   std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,

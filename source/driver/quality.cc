@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/quality.h>
+#include <abut/driver/stress_samples.h>
 
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <tbb/parallel_for.h>
 
 namespace abut
 {
@@ -19,46 +19,24 @@ namespace abut
       double stress = 0.;
     };
 
-    /// A stress of the plane in a body's own frame, whose axes are the columns of `turn`.
-    Stress turned(const Stress &s, const Eigen::Matrix2d &turn)
-    {
-      Eigen::Matrix2d tensor;
-      tensor << s.xx, s.xy, s.xy, s.yy;
-      const Eigen::Matrix2d own = turn.transpose() * tensor * turn;
-      return {own(0, 0), own(1, 1), own(0, 1), s.zz};
-    }
-
     CellSquares cell_squares(const OwnStress &exact, const BodyResult &result,
                              const std::vector<Stress> &better)
     {
-      const Space &space = result.body->space();
-      const dealii::Quadrature<2> rule = comparison_rule(space);
+      const dealii::Quadrature<2> rule = comparison_rule(result.body->space());
       const Placement &placement = result.body->description().placement;
-      Eigen::Matrix2d turn;
-      turn << placement.direction_to_world(Vector2::UnitX()), placement.direction_to_world(Vector2::UnitY());
-      std::vector<Vector2> places;
-      std::vector<double> weights;
-      std::vector<Stress> computed;
-      visit_gradients(
-          space, rule, result.deformation,
-          [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
-            places.push_back(placement.point_to_own(point));
-            weights.push_back(weight);
-            computed.push_back(turned(result.body->material().stress(gradient), turn));
-          });
-      std::vector<Stress> stresses(places.size());
-      tbb::parallel_for(std::size_t(0), places.size(),
-                        [&](const std::size_t i) { stresses[i] = exact(places[i]); });
+      const std::vector<StressSample> samples = stress_samples(result, rule);
+      const std::vector<Stress> stresses = at_samples(exact, samples);
       CellSquares squares;
       squares.computed = squares.better =
-          Eigen::VectorXd::Zero(static_cast<Index>(places.size() / rule.size()));
-      for (std::size_t i = 0; i < places.size(); ++i)
+          Eigen::VectorXd::Zero(static_cast<Index>(samples.size() / rule.size()));
+      for (std::size_t i = 0; i < samples.size(); ++i)
       {
         const auto cell = static_cast<Index>(i / rule.size());
-        squares.computed[cell] += weights[i] * (computed[i] - stresses[i]).square();
-        squares.stress += weights[i] * stresses[i].square();
+        squares.computed[cell] += samples[i].weight * (samples[i].computed - stresses[i]).square();
+        squares.stress += samples[i].weight * stresses[i].square();
         if (!better.empty())
-          squares.better[cell] += weights[i] * (turned(better[i], turn) - stresses[i]).square();
+          squares.better[cell] +=
+              samples[i].weight * (in_own_frame(better[i], placement) - stresses[i]).square();
       }
       return squares;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/resultant_loading.h>
 #include <abut/driver/simulation.h>
+#include <abut/driver/step_estimates.h>
 #include <abut/driver/stopwatch.h>
 #include <abut/user_error.h>
 
@@ -55,12 +56,19 @@ namespace abut
     {
       if (observer.begin_pass)
         observer.begin_pass(pass, counts());
+      const Times before = results.times;
+      cost_ = {};
       model_->prepare(results.times);
       const CarriedState state = scene_.adaptation.combined ? take_combined_step(carried, observer, results)
                                                             : solve_pass(carried, observer, results);
+      cost_.assemble = results.times.assemble - before.assemble;
+      cost_.factorise = results.times.factorise - before.factorise;
+      cost_.solve = results.times.solve - before.solve;
       results.passes.push_back(record_pass(carried, results));
       if (observer.end_pass)
         observer.end_pass(results.passes.back());
+      if (observer.state)
+        observer.state({results, estimation_, model_->problem()});
       if (is_last_pass(results))
         break;
       carried = adapt(state, results);
@@ -86,10 +94,17 @@ namespace abut
       start = carried->pressures.cwiseMax(0.);
     double tolerance = first_tolerance(results);
     unsigned int steps = 0;
-    const auto count_on = [&](StepRecord record) {
-      record.step += steps;
+    const unsigned int every = scene_.adaptation.estimate_steps;
+    StepEstimates estimates(scene_, *model_, indicator_.get(), exact_.get());
+    const auto count_on = [&](const StepRecord &record) {
+      StepRecord counted = record;
+      counted.step += steps;
+      counted.answered = counted.applied = nullptr;
       if (observer.step)
-        observer.step(record);
+        observer.step(counted);
+      if (every > 0 && observer.estimate && (counted.step - 1) % every == 0)
+        if (const auto estimate = estimates.at(record))
+          observer.estimate(*estimate);
     };
     do
     {

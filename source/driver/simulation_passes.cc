@@ -14,6 +14,24 @@
 
 namespace abut
 {
+  namespace
+  {
+    void count_boundary_elements(const Estimation &estimation, Times &times, BoundaryCost &cost)
+    {
+      cost.elements = cost.unknowns = 0; // of one estimate; times and models add up
+      for (const CellErrors &body : estimation.errors)
+      {
+        cost.elements += body.boundary.elements;
+        cost.unknowns += body.boundary.unknowns;
+        cost.models += body.boundary.models;
+        cost.assemble += body.boundary.assemble;
+        cost.solve += body.boundary.solve;
+        cost.evaluate += body.boundary.evaluate;
+        times.bem += body.boundary.assemble + body.boundary.solve + body.boundary.evaluate;
+      }
+    }
+  } // namespace
+
   void Simulation::evaluate(Results &results)
   {
     {
@@ -28,19 +46,25 @@ namespace abut
     if (!indicator_)
       return;
     const Stopwatch watch(results.times.estimate);
-    const Eigen::VectorXd applied = applied_pressures(results.iteration);
-    for (std::size_t a = 0; a < bodies().size(); ++a)
-      results.bodies[a].contact_forces = model_->problem().contact_forces(a, applied);
+    const bool by_law = estimates_by_law();
+    for (std::size_t a = 0; by_law && a < bodies().size(); ++a)
+      results.bodies[a].contact_forces =
+          model_->problem().contact_forces(a, model_->problem().pressures(results.iteration.response));
     estimation_ = estimate(*indicator_, scene_.adaptation, results.bodies);
+    if (by_law)
+      estimation_.law_mismatch = law_mismatch(pairs(), results.bodies);
+    for (std::size_t a = 0; a < bodies().size(); ++a)
+    {
+      results.bodies[a].eta = estimation_.eta[a];
+      results.bodies[a].better = estimation_.errors[a].better;
+    }
+    count_boundary_elements(estimation_, results.times, cost_.boundary);
   }
 
-  Eigen::VectorXd Simulation::applied_pressures(const SchemeResult &iteration) const
+  bool Simulation::estimates_by_law() const
   {
-    const InterfaceProblem &problem = model_->problem();
-    const bool has_law = (problem.penalties().array() > 0.).all();
-    if (scene_.adaptation.estimator != EstimatorKind::fe_be || scene_.adaptation.combined || !has_law)
-      return iteration.traction;
-    return problem.pressures(iteration.response);
+    return scene_.adaptation.estimator == EstimatorKind::fe_be && !scene_.adaptation.combined &&
+           (model_->problem().penalties().array() > 0.).all();
   }
 
   namespace
@@ -71,6 +95,9 @@ namespace abut
     PassRecord record;
     record.pass = static_cast<unsigned int>(results.passes.size());
     record.counts = counts();
+    for (const auto &body : bodies())
+      record.meshes.push_back(mesh_quality(body->space().mesh().triangulation));
+    record.cost = cost_;
     record.steps = results.iteration.steps;
     record.increment = results.iteration.increment;
     record.iteration = results.iteration.iteration_error;
@@ -87,7 +114,9 @@ namespace abut
       record.eta_max = estimation_.eta_max(scene_);
       record.discretisation = estimation_.discretisation();
       record.stress = estimation_.stress();
-      if (std::isfinite(record.iteration))
+      if (const auto bound = estimation_.bound())
+        record.total = bound;
+      else if (std::isfinite(record.iteration))
         record.total = std::hypot(*record.discretisation, record.iteration);
     }
     if (exact_)

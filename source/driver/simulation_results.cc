@@ -161,7 +161,7 @@ namespace abut
     if (!adapts())
       items.emplace_back("adaptation (no body adapts)");
     if (scene_.adaptation.estimator != EstimatorKind::fe_be)
-      items.emplace_back("boundary elements (the estimator fe-be was not asked for)");
+      items.emplace_back("boundary elements (Adaptation/Estimator is not fe-be)");
     items.emplace_back("mortar coupling inside bodies (hanging nodes)");
     if (scene_.contacts.empty())
       items.emplace_back("contact (a scene without pairs)");

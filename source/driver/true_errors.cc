@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/driver/stress_samples.h>
 #include <abut/driver/true_errors.h>
 
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace abut
 {
@@ -22,38 +22,12 @@ namespace abut
       }
     };
 
-    /// A quadrature point in the body's own frame and the computed stress there.
-    struct Sample
-    {
-      Vector2 own_point;
-      double weight;
-      Stress computed;
-    };
-
-    std::vector<Sample> sample(const BodyResult &result)
-    {
-      const Space &space = result.body->space();
-      const Material material = result.body->material();
-      const Placement &placement = result.body->description().placement;
-      Eigen::Matrix2d turn;
-      turn << placement.direction_to_world(Vector2::UnitX()), placement.direction_to_world(Vector2::UnitY());
-      std::vector<Sample> samples;
-      visit_gradients(
-          space, gauss_rule(space, space.degree() + 2), result.deformation,
-          [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
-            samples.push_back(
-                {placement.point_to_own(point), weight, material.stress(turn.transpose() * gradient * turn)});
-          });
-      return samples;
-    }
-
     Squares compare(const OwnStress &exact, const BodyResult &result)
     {
-      const std::vector<Sample> samples = sample(result);
+      const Space &space = result.body->space();
+      const std::vector<StressSample> samples = stress_samples(result, gauss_rule(space, space.degree() + 2));
       const Material material = result.body->material();
-      std::vector<Stress> stresses(samples.size());
-      tbb::parallel_for(std::size_t(0), samples.size(),
-                        [&](const std::size_t i) { stresses[i] = exact(samples[i].own_point); });
+      const std::vector<Stress> stresses = at_samples(exact, samples);
       Squares squares;
       for (std::size_t i = 0; i < samples.size(); ++i)
       {

@@ -40,12 +40,15 @@ namespace abut
 
   MeshQuality mesh_quality(const dealii::Triangulation<2> &triangulation)
   {
-    MeshQuality quality{0., 0.};
+    MeshQuality quality{0., 0., 0.};
     for (const auto &cell : triangulation.active_cell_iterators())
     {
       const Circles c = extreme_circles(*cell);
       quality.h_max = std::max(quality.h_max, c.circumscribed);
       quality.regularity = std::max(quality.regularity, c.circumscribed / c.inscribed);
+      for (const unsigned int face : cell->face_indices())
+        if (cell->at_boundary(face))
+          quality.h_boundary = std::max(quality.h_boundary, cell->face(face)->diameter());
     }
     return quality;
   }

@@ -141,6 +141,11 @@ namespace abut
     }
   } // namespace
 
+  DrawnBody undeformed_body(const BodyResult &result)
+  {
+    return drawn_body(result, outlines_of(result), 0., Vector2::Zero());
+  }
+
   DrawnScene deformed_scene(const Results &results)
   {
     std::vector<Outlines> outlines;

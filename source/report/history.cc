@@ -30,6 +30,8 @@ namespace abut
   std::vector<std::string> History::cells(const Row &row)
   {
     const PassRecord found = row.found.value_or(PassRecord());
+    const auto &estimate = row.estimate;
+    const std::optional<double> none;
     return {std::to_string(row.pass),
             std::to_string(row.step.step),
             std::to_string(row.counts.dofs),
@@ -51,7 +53,12 @@ namespace abut
             cell(found.true_errors.pressure),
             cell(found.true_errors.force),
             cell(found.stress),
-            cell(found.change)};
+            cell(found.change),
+            estimate ? exact_number(estimate->discretisation) : std::string(),
+            cell(estimate ? estimate->bound : none),
+            cell(estimate ? estimate->true_error : none),
+            cell(estimate ? estimate->ratio : none),
+            cell(estimate ? estimate->bound_ratio : none)};
   }
 
   std::string History::csv() const
@@ -78,7 +85,12 @@ namespace abut
                "true_error_pressure",
                "true_error_force",
                "error_stress",
-               "change"},
+               "change",
+               "step_discretisation",
+               "step_bound",
+               "step_true_error",
+               "step_discretisation_ratio",
+               "step_bound_ratio"},
               out);
     for (const Row &row : rows_)
       write_row(cells(row), out);

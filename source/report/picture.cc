@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/report/colour_map.h>
+#include <abut/report/colour_bar.h>
 #include <abut/report/numbers.h>
 #include <abut/report/picture.h>
 #include <abut/report/svg.h>
@@ -17,9 +17,8 @@ namespace abut
     constexpr unsigned int most_cells = 40000;
     // Pixels.
     constexpr double page_width = 1000., largest_height = 700., margin = 24., caption_height = 64.,
-                     bar_width = 400., bar_height = 14., legend_height = 76.;
+                     legend_height = 76.;
     constexpr double comb_share = .1; // height of the largest pressure over the scene's size
-    constexpr int n_ticks = 6;        // the smallest and the largest value and four between
 
     struct Box
     {
@@ -71,26 +70,16 @@ namespace abut
       return combs;
     }
 
-    struct Range
+    ColourRange stress_range(const DrawnScene &scene)
     {
-      double low = std::numeric_limits<double>::infinity();
-      double high = -low;
-    };
-
-    Range stress_range(const DrawnScene &scene)
-    {
-      Range range;
+      ColourRange range;
       for (const DrawnBody &body : scene.bodies)
-        for (const double value : body.von_mises)
-        {
-          range.low = std::min(range.low, value);
-          range.high = std::max(range.high, value);
-        }
+        range.include(body.von_mises);
       return range;
     }
 
-    void write_cells(std::ostream &out, const DrawnScene &scene, const Range &range, const PageFrame &frame,
-                     const Box &box)
+    void write_cells(std::ostream &out, const DrawnScene &scene, const ColourRange &range,
+                     const PageFrame &frame, const Box &box)
     {
       std::size_t n_cells = 0;
       for (const DrawnBody &body : scene.bodies)
@@ -100,11 +89,7 @@ namespace abut
           << short_number(std::clamp(.04 * cell_width, .15, .8), 3) << "\">\n";
       for (const DrawnBody &body : scene.bodies)
         for (std::size_t i = 0; i < body.cells.size(); ++i)
-        {
-          const double share =
-              range.high > range.low ? (body.von_mises[i] - range.low) / (range.high - range.low) : 0.;
-          write_path(out, body.cells[i], frame, true, "fill=\"" + viridis(share) + "\"");
-        }
+          write_path(out, body.cells[i], frame, true, "fill=\"" + range.colour(body.von_mises[i]) + "\"");
       out << "</g>\n";
     }
 
@@ -124,24 +109,6 @@ namespace abut
       }
     }
 
-    void write_colour_bar(std::ostream &out, const Range &range, const Vector2 &corner)
-    {
-      out << "<defs><linearGradient id=\"stress\">\n";
-      for (int i = 0; i <= 20; ++i)
-        out << "<stop offset=\"" << 5 * i << "%\" stop-color=\"" << viridis(.05 * i) << "\"/>\n";
-      out << "</linearGradient></defs>\n<rect x=\"" << corner.x() << "\" y=\"" << corner.y() << "\" width=\""
-          << bar_width << "\" height=\"" << bar_height << "\" fill=\"url(#stress)\"/>\n";
-      for (int i = 0; i < n_ticks; ++i)
-      {
-        const double share = static_cast<double>(i) / (n_ticks - 1);
-        const Vector2 place = corner + Vector2(share * bar_width, bar_height);
-        out << "<path stroke=\"#333\" d=\"M" << place.x() << ' ' << place.y() << "v5\"/>\n";
-        write_text(out, place + Vector2(0., 19.), Anchor::middle,
-                   short_number(range.low + share * (range.high - range.low), 3));
-      }
-      write_text(out, corner + Vector2(0., -7.), Anchor::start, "von Mises stress, mean of each cell");
-    }
-
     void write_pressure_legend(std::ostream &out, const Results &results, const Vector2 &corner)
     {
       double largest = 0.;
@@ -150,8 +117,8 @@ namespace abut
       if (largest == 0.)
         return;
       out << "<path stroke=\"#d7191c\" stroke-width=\"1.8\" d=\"M" << corner.x() << ' '
-          << corner.y() + .5 * bar_height << "h40\"/>\n";
-      write_text(out, corner + Vector2(50., bar_height - 2.), Anchor::start,
+          << corner.y() + .5 * colour_bar_height << "h40\"/>\n";
+      write_text(out, corner + Vector2(50., colour_bar_height - 2.), Anchor::start,
                  "contact pressure, at most " + short_number(largest));
     }
 
@@ -195,17 +162,13 @@ namespace abut
     std::ostringstream out;
     out.imbue(std::locale::classic());
     out.precision(8);
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-           "viewBox=\"0 0 "
-        << page_width << ' ' << page_height << "\" width=\"" << page_width << "\" height=\"" << page_height
-        << "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n"
-        << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    write_svg_head(out, Vector2(page_width, page_height));
     write_caption(out, results, scene);
-    const Range range = stress_range(scene);
+    const ColourRange range = stress_range(scene);
     write_cells(out, scene, range, frame, box);
     write_combs(out, combs, frame);
-    write_colour_bar(out, range, Vector2(margin + 20., legend_top));
-    write_pressure_legend(out, results, Vector2(margin + 20. + bar_width + 60., legend_top));
+    write_colour_bar(out, range, Vector2(margin + 20., legend_top), "von Mises stress, mean of each cell");
+    write_pressure_legend(out, results, Vector2(margin + 20. + colour_bar_width + 60., legend_top));
     out << "</svg>\n";
     return out.str();
   }

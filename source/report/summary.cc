@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/mesh/quality.h>
 #include <abut/report/counts.h>
+#include <abut/report/json.h>
+#include <abut/report/pass_summary.h>
 #include <abut/report/summary.h>
 
 #include <deal.II/base/config.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cholmod.h>
@@ -18,18 +18,6 @@ namespace abut
 {
   namespace
   {
-    using Json = nlohmann::ordered_json;
-
-    Json number(const double value)
-    {
-      return std::isfinite(value) ? Json(value) : Json(nullptr);
-    }
-
-    Json number(const std::optional<double> &value)
-    {
-      return value ? number(*value) : Json(nullptr);
-    }
-
     Json components(const Vector2 &value)
     {
       return Json::array({number(value.x()), number(value.y())});
@@ -57,6 +45,8 @@ namespace abut
               {"min_level", min_level},
               {"max_level", mesh.n_levels() - 1},
               {"h_max", number(quality.h_max)},
+              {"h_boundary", number(quality.h_boundary)},
+              {"h_ratio", number(quality.h_boundary / quality.h_max)},
               {"regularity", number(quality.regularity)},
               {"reactions", reactions},
               {"equilibrium_residual", number(result.reactions.equilibrium_residual)}};
@@ -103,60 +93,6 @@ namespace abut
                 {"force", "normal force of the first contact"}}}};
     }
 
-    Json square_summary(const ErrorSquares &squares, const double stress, const bool has_better)
-    {
-      if (!(squares.computed > 0.))
-        return nullptr;
-      const auto relative = [&](const double square) { return Json(std::sqrt(square / stress)); };
-      return {{"effectivity", squares.effectivity()},
-              {"better_ratio", has_better ? Json(squares.better_ratio()) : Json()},
-              {"computed_error", relative(squares.computed)},
-              {"better_error", has_better ? relative(squares.better) : Json()}};
-    }
-
-    /// What the indicator is worth, where the exact response to the applied traction is known.
-    Json quality_summary(const std::optional<EstimatorQuality> &quality)
-    {
-      if (!quality)
-        return nullptr;
-      const auto part = [&](const ErrorSquares &squares) {
-        return square_summary(squares, quality->stress, quality->has_better);
-      };
-      return {{"whole", part(quality->whole)},
-              {"boundary_cells", part(quality->boundary)},
-              {"contact_end_cells", part(quality->contact_end)},
-              {"interior_cells", part(quality->interior)},
-              {"pearson", number(quality->pearson)},
-              {"spearman", number(quality->spearman)}};
-    }
-
-    Json pass_summary(const PassRecord &pass)
-    {
-      return {{"pass", pass.pass},
-              {"cells", pass.counts.cells},
-              {"dofs", pass.counts.dofs},
-              {"boundary_dofs", pass.counts.boundary_dofs},
-              {"steps", pass.steps},
-              {"increment", number(pass.increment)},
-              {"eta_max", number(pass.eta_max)},
-              {"error_discretisation", number(pass.discretisation)},
-              {"error_iteration", number(pass.iteration)},
-              {"error_total", number(pass.total)},
-              {"error_stress", number(pass.stress)},
-              {"true_error_energy", number(pass.true_errors.energy)},
-              {"true_error_stress", number(pass.true_errors.stress)},
-              {"true_error_pressure", number(pass.true_errors.pressure)},
-              {"true_error_force", number(pass.true_errors.force)},
-              {"effectivity", number(pass.effectivity())},
-              {"effectivity_total", number(pass.effectivity_total)},
-              {"estimator", quality_summary(pass.quality)},
-              {"change", number(pass.change)},
-              {"normal_force", number(pass.normal_force)},
-              {"max_pressure", number(pass.max_pressure)},
-              {"missed_contact", pass.n_missed},
-              {"wall_time_s", number(pass.seconds)}};
-    }
-
     /// Displacement of the scene's side with a given resultant, if it has one.
     Json rigid_displacement(const Results &results)
     {
@@ -187,7 +123,7 @@ namespace abut
               {"factorise", number(times.factorise)},
               {"solve", number(times.solve)},
               {"interface", number(times.interface)},
-              {"bem", 0.},
+              {"bem", number(times.bem)},
               {"estimate", number(times.estimate)},
               {"adapt", number(times.adapt)},
               {"reference", number(times.reference)},

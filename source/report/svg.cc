@@ -38,6 +38,15 @@ namespace abut
     return result;
   }
 
+  void write_svg_head(std::ostream &out, const Vector2 &size)
+  {
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+           "viewBox=\"0 0 "
+        << size.x() << ' ' << size.y() << "\" width=\"" << size.x() << "\" height=\"" << size.y()
+        << "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n"
+        << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+  }
+
   void write_path(std::ostream &out, const Polyline &points, const PageFrame &frame, const bool closed,
                   const std::string &attributes)
   {

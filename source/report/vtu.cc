@@ -3,10 +3,16 @@
 #include <abut/report/vtu.h>
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <Eigen/Cholesky>
+
+#include <array>
 #include <sstream>
 
 namespace abut
@@ -55,6 +61,77 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    constexpr unsigned int n_stress_values = 5; // xx, yy, xy, zz, von Mises
+
+    std::array<double, n_stress_values> stress_values(const Stress &s)
+    {
+      return {{s.xx, s.yy, s.xy, s.zz, s.von_mises()}};
+    }
+
+    /// The better stress as discontinuous polynomials of the finite elements' degree: in each cell those
+    /// nearest to the values at the points of the comparison.
+    class BetterStressField
+    {
+    public:
+      explicit BetterStressField(const BodyResult &result)
+          : dof_handler_(result.body->space().mesh().triangulation)
+      {
+        const Space &space = result.body->space();
+        const bool quadrilaterals = space.dof_handler().get_fe().reference_cell().is_hyper_cube();
+        if (quadrilaterals)
+          dof_handler_.distribute_dofs(
+              dealii::FESystem<2>(dealii::FE_DGQ<2>(space.degree()), n_stress_values));
+        else
+          dof_handler_.distribute_dofs(
+              dealii::FESystem<2>(dealii::FE_SimplexDGP<2>(space.degree()), n_stress_values));
+        values_.reinit(dof_handler_.n_dofs());
+        fit(space, result.better);
+      }
+
+      const dealii::DoFHandler<2> &dof_handler() const { return dof_handler_; }
+      const dealii::Vector<double> &values() const { return values_; }
+
+    private:
+      void fit(const Space &space, const std::vector<Stress> &better)
+      {
+        const auto &element = dof_handler_.get_fe();
+        const auto &scalar = element.base_element(0);
+        dealii::FEValues<2> values(space.mapping(), scalar, comparison_rule(space),
+                                   dealii::update_values | dealii::update_JxW_values);
+        const auto n = static_cast<Eigen::Index>(scalar.n_dofs_per_cell());
+        std::vector<dealii::types::global_dof_index> dofs(element.n_dofs_per_cell());
+        auto stress = better.begin();
+        for (const auto &cell : dof_handler_.active_cell_iterators())
+        {
+          values.reinit(cell);
+          Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
+          Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, n_stress_values);
+          for (const unsigned int q : values.quadrature_point_indices())
+          {
+            Eigen::VectorXd shapes(n);
+            for (Eigen::Index i = 0; i < n; ++i)
+              shapes[i] = values.shape_value(static_cast<unsigned int>(i), q);
+            const auto s = stress_values(*stress++);
+            mass += values.JxW(q) * shapes * shapes.transpose();
+            moments += values.JxW(q) * shapes * Eigen::RowVectorXd::Map(s.data(), n_stress_values);
+          }
+          const Eigen::MatrixXd fitted = mass.ldlt().solve(moments);
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            const auto [component, shape] = element.system_to_component_index(i);
+            values_[dofs[i]] = fitted(shape, component);
+          }
+        }
+      }
+
+      dealii::DoFHandler<2> dof_handler_;
+      dealii::Vector<double> values_;
+    };
+  } // namespace
+
   std::string vtu(const BodyResult &result)
   {
     using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
@@ -71,6 +148,17 @@ namespace abut
         std::vector<Interpretation>(2, dealii::DataComponentInterpretation::component_is_part_of_vector));
     data.add_data_vector(deformation, stress);
     data.add_data_vector(level, "level", dealii::DataOut<2>::type_cell_data);
+    const dealii::Vector<double> eta(result.eta.begin(), result.eta.end());
+    if (eta.size() > 0)
+      data.add_data_vector(eta, "eta", dealii::DataOut<2>::type_cell_data);
+    std::unique_ptr<BetterStressField> better;
+    if (!result.better.empty())
+    {
+      better = std::make_unique<BetterStressField>(result);
+      data.add_data_vector(better->dof_handler(), better->values(),
+                           {"better_stress_xx", "better_stress_yy", "better_stress_xy", "better_stress_zz",
+                            "better_von_mises"});
+    }
     data.build_patches(space.mapping(), space.degree(), dealii::DataOut<2>::curved_inner_cells);
 
     dealii::DataOutBase::VtkFlags flags;

@@ -46,6 +46,10 @@ namespace abut
         throw UserError(
             "Adaptation/Limit: received `0` with Marking = threshold, which splits the cells above "
             "the limit; allowed are numbers above 0");
+      if (parameters.estimate_steps > 0 &&
+          (parameters.estimator != EstimatorKind::fe_be || parameters.combined))
+        throw UserError("Adaptation/Estimate steps: received `" + std::to_string(parameters.estimate_steps) +
+                        "`, allowed is 0 but with Estimator = fe-be and Combined = false");
       if (!parameters.combined)
         return;
       if (parameters.estimator == EstimatorKind::none)
@@ -109,6 +113,10 @@ namespace abut
         "(energy norm, stopping rule bound, no side with a resultant). No unit. 0: "
         "Decomposition/Tolerance in each pass.");
     prm.declare_entry(
+        "Estimate steps", "0", Patterns::Integer(0),
+        "With fe-be: discretisation and iteration error together are estimated at every n-th step of the "
+        "decomposition, for history.csv. 0: at the end of each pass only.");
+    prm.declare_entry(
         "Combined", "false", Patterns::Bool(),
         "true: one decomposition step and one adaptation step a pass, as in the paper, until the "
         "increment of Decomposition/Tolerance and Limit are both reached. false: the decomposition "
@@ -129,6 +137,7 @@ namespace abut
     parameters.maximum_passes = static_cast<unsigned int>(prm.get_integer("Maximum passes"));
     parameters.maximum_unknowns = static_cast<unsigned int>(prm.get_integer("Maximum unknowns"));
     parameters.iteration_fraction = share(prm, "Iteration fraction", true, false);
+    parameters.estimate_steps = static_cast<unsigned int>(prm.get_integer("Estimate steps"));
     parameters.combined = prm.get_bool("Combined");
     check_together(parameters);
     return parameters;

@@ -37,9 +37,24 @@ TEST(SceneAdaptation, reads_what_is_given)
   EXPECT_TRUE(scene.adaptation.combined);
 }
 
+TEST(SceneAdaptation, reads_the_boundary_elements)
+{
+  const SceneFile file(two_squares);
+  EXPECT_EQ(file.read({}).adaptation.boundary_solution, BoundarySolution::trace_space);
+  const Scene scene =
+      file.read({"Adaptation/Estimator=fe-be", "Adaptation/Boundary solution=constant traction",
+                 "Adaptation/Estimate steps=3"});
+  EXPECT_EQ(scene.adaptation.estimator, EstimatorKind::fe_be);
+  EXPECT_EQ(scene.adaptation.boundary_solution, BoundarySolution::constant_traction);
+  EXPECT_EQ(scene.adaptation.estimate_steps, 3u);
+}
+
 TEST(SceneAdaptation, refuses_what_does_not_fit)
 {
-  expect_refused({"Adaptation/Estimator=fe-be"}, "Estimator");
+  expect_refused({"Adaptation/Estimator=residual"}, "Estimator");
+  expect_refused({"Adaptation/Boundary solution=collocation"}, "Boundary solution");
+  expect_refused({estimator, "Adaptation/Estimate steps=1"},
+                 "Adaptation/Estimate steps: received `1`, allowed is 0 but with Estimator = fe-be");
   expect_refused({"Adaptation/Marking=all"}, "Marking");
   expect_refused({"Adaptation/Normalisation=l2"}, "Normalisation");
   expect_refused({"Adaptation/Fraction=0"},

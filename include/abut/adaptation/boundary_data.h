@@ -44,7 +44,8 @@ namespace abut
     /// What is known under a load, in the units of BoundaryState; less the UniformForce.
     BoundaryState known(const BodySolution &solution) const;
     /// The traction along supported directions, continuous along each side, that does the work of the
-    /// supports' nodal forces (a finite-element vector). For sides that are not split.
+    /// supports' nodal forces (a finite-element vector); less the UniformForce. For sides
+    /// that are not split.
     Eigen::VectorXd support_traction(const Eigen::VectorXd &support_forces) const;
     const UniformForce &uniform_force() const { return uniform_; }
 
@@ -65,6 +66,7 @@ namespace abut
     std::vector<std::size_t> first_element_; ///< of every side
     Eigen::VectorXd prescribed_;             ///< tractions that do not depend on the contact
     UniformForce uniform_;
+    Eigen::VectorXd uniform_support_; ///< its traction along supported directions
     Eigen::VectorXd uniform_displacement_;
   };
 

@@ -22,9 +22,10 @@ namespace abut
   {
     Eigen::Index elements = 0;
     Eigen::Index unknowns = 0;
-    double assemble = 0.; ///< operators and factors; zero where those of the mesh were there already
-    double solve = 0.;    ///< right side and solution
-    double evaluate = 0.; ///< stress at the points
+    unsigned int models = 0; ///< operators made for a new mesh
+    double assemble = 0.;    ///< operators and factors; zero where those of the mesh were there already
+    double solve = 0.;       ///< right side and solution
+    double evaluate = 0.;    ///< stress at the points
   };
 
   /// Estimated errors of a body's stress sigma_F, by active cell index.

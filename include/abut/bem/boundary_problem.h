@@ -16,8 +16,9 @@ namespace abut
     Eigen::VectorXd displacement;
   };
 
-  /// The directions along which the displacement of every node is given: those of its elements, their mean
-  /// where they differ by less than 45 degrees, else both axes.
+  /// The directions along which the displacement of every node is given: those of its elements; where they
+  /// differ both axes, but the mean where they differ by less than 45 degrees on one side, which is a curve
+  /// then.
   std::vector<std::vector<Vector2>> supported_at_nodes(const BoundarySpace &space,
                                                        const std::vector<std::vector<Vector2>> &supported);
 
@@ -33,8 +34,8 @@ namespace abut
    * every load. Displacements are given at the nodes that touch a supported element (supported_at_nodes);
    * where supports follow a polygon, tractions do no work on what is free there. Rigid motions that the
    * supports leave free are fixed by a term of their rank, which does not change the stress of a balanced
-   * load. So are those of a hole by itself, which these equations leave open whatever its load, and which
-   * make no stress in the body either (Vodicka, Mantic and Paris, IJNME 66 (2006)).
+   * load. So are those of each hole by itself, which V t = (M/2 + K) u at the hole yields afterwards: a rigid
+   * displacement of the curve of a hole has no stress outside, W r = 0 and (M/2 - K) r = 0.
    */
   class BoundaryProblem
   {
@@ -57,20 +58,21 @@ namespace abut
 
   private:
     void choose_unknowns(const std::vector<std::vector<Vector2>> &supported, unsigned int traction_degree);
+    /// The rigid motions of some nodes that supports leave free: displacement vectors of length 1.
+    Eigen::MatrixXd free_motions(const std::vector<unsigned int> &nodes) const;
     void find_rigid_motions();
-    /// Those of the unit motions (displacement vectors) that the supports leave free, unit columns.
-    Eigen::MatrixXd unhindered(const Eigen::MatrixXd &motions) const;
-    void add_motions_of_holes(const Eigen::MatrixXd &motions);
     void factorise();
-    void check_balance(const Eigen::VectorXd &traction) const;
+    /// Moves each hole as the traction demands.
+    void place_holes(BoundaryState &state) const;
+    void check_balance(const BoundaryState &state) const;
 
     const BoundarySpace &space_;
     LayerOperators operators_;
     Eigen::SparseMatrix<double> tractions_;     ///< Legendre coefficients from the unknown tractions
     Eigen::SparseMatrix<double> displacements_; ///< displacement vector from its unknowns, orthonormal
     DisplacementBasis free_;                    ///< densities from the unknown displacements
-    Eigen::MatrixXd rigid_;                     ///< free rigid motions: displacement vectors, orthonormal
-    Eigen::MatrixXd undetermined_;              ///< the same and those of holes
+    Eigen::MatrixXd rigid_;                     ///< free rigid motions: displacement vectors of length 1
+    Eigen::MatrixXd hole_motions_;              ///< the same of each hole
     Eigen::VectorXd traction_scale_, displacement_scale_;
     Eigen::MatrixXd mixed_; ///< K_DN, scaled
     Eigen::LLT<Eigen::MatrixXd> single_layer_, schur_complement_;

@@ -46,6 +46,8 @@ namespace abut
     const std::vector<Complex> &node_places() const { return node_places_; }
     /// The element that begins where this one ends.
     std::size_t next(const std::size_t element) const { return next_[element]; }
+    /// Index of the side that an element is part of.
+    std::size_t side(const std::size_t element) const { return sides_[element]; }
     /// Whether the boundary turns by more than 30 degrees at the end of an element.
     bool is_corner(std::size_t element) const;
 
@@ -73,7 +75,7 @@ namespace abut
     Complex centre_ = 0.;
     double unit_length_ = 1.;
     std::vector<BoundaryElement> elements_;
-    std::vector<std::size_t> next_;
+    std::vector<std::size_t> next_, sides_;
     dealii::Triangulation<1, 2> mesh_;
     dealii::DoFHandler<1, 2> dof_handler_;
     std::vector<std::vector<unsigned int>> nodes_;

@@ -26,7 +26,7 @@ namespace abut
 
     /// Relative errors below 1e-13 of a pair's largest integral, for every degree.
     static GalerkinRule precise();
-    /// Errors up to 1e-3, mostly below 1e-4, in a third of the time: for the solution of an error estimator.
+    /// Errors up to 1e-3, mostly below 1e-4, in a third to a half of the time: for an error estimator.
     static GalerkinRule estimating();
 
     unsigned int touching_points;
@@ -36,7 +36,7 @@ namespace abut
     std::vector<FarPoints> far; ///< by growing distance; nearer than the first one is near
 
     /// For polynomials above degree 1 one more point per two degrees, at any distance.
-    unsigned int points(const unsigned int n_points, const unsigned int degree) const
+    static unsigned int points(const unsigned int n_points, const unsigned int degree)
     {
       return n_points + degree / 2;
     }

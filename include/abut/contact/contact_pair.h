@@ -54,7 +54,18 @@ namespace abut
                                       const Eigen::VectorXd &master_displacement,
                                       const Eigen::VectorXd &gaps) const;
 
+    /**
+     * int |p| |theta p + g| ds over the slave side, of the pressure p = -t . n of its nodal tractions (see
+     * applied_traction) and the gap g of the displacements, point by point: by how much they miss the contact
+     * law, in units of the squared energy norm. Trace vectors of the two sides.
+     */
+    double law_mismatch(const Trace &slave_trace, const Eigen::VectorXd &slave_displacement,
+                        const Eigen::VectorXd &master_displacement, const Eigen::VectorXd &traction) const;
+
   private:
+    Eigen::VectorXd sampled_gaps(const Eigen::VectorXd &slave_displacement,
+                                 const Eigen::VectorXd &master_displacement) const;
+
     ContactPair(const ContactDescription &description, const ContactBody &slave, const ContactBody &master,
                 const Trace &slave_trace, const Trace &master_trace, const std::vector<Piece> &pieces,
                 const GapFunction &gap);

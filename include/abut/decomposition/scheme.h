@@ -29,6 +29,9 @@ namespace abut
                                                              ///< state the step began with
     double normal_force = 0.;                                ///< sum of D_i p_i of that state
     double max_pressure = 0.;
+    /// While the observer runs: the pressures that the displacement of that state answers (null where it is
+    /// no field), and those that the contact law makes of it.
+    const Eigen::VectorXd *answered = nullptr, *applied = nullptr;
   };
 
   using StepObserver = std::function<void(const StepRecord &)>;

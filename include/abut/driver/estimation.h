@@ -14,9 +14,23 @@ namespace abut
     std::vector<CellErrors> errors;   ///< body by body
     std::vector<Eigen::VectorXd> eta; ///< relative_errors
 
-    double discretisation() const; ///< relative, energy norm, all bodies
-    double stress() const;         ///< the same in L2 over xx, yy, zz and twice xy
-    double stress_error() const;   ///< not relative
+    /// kappa^2 of `bound`; empty where the estimate is not against the contact law's own pressures.
+    std::optional<double> law_mismatch;
+
+    double discretisation() const; ///< relative, energy norm, all bodies: b
+    /**
+     * Discretisation and iteration in one, relative, energy norm: the error of the displacement u_h against
+     * the solution of the (penalised) contact problem is at most
+     *   b/2 + sqrt(b^2/4 + kappa^2),   b = ||u^ - u_h||_A,   kappa^2 = int |p_h| |theta p_h + g(u_h)|,
+     * with u^ the bodies' exact response to the pressure p_h that was applied, for which the better stress
+     * stands. Not rigorous: that, and p_h in the place of the exact pressure where the law is violated.
+     */
+    std::optional<double> bound() const;
+    std::optional<double> energy_bound() const; ///< not relative
+    double energy_error() const;                ///< b itself, not relative
+    double energy_norm() const;                 ///< of the better stress (or sigma_F), all bodies
+    double stress() const;                      ///< the same in L2 over xx, yy, zz and twice xy
+    double stress_error() const;                ///< not relative
     /// The largest eta of the bodies that adapt; of all where none does.
     double eta_max(const Scene &scene) const;
   };
@@ -24,6 +38,9 @@ namespace abut
   /// Of every body's deformation and contact forces.
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
                       const std::vector<BodyResult> &bodies);
+
+  /// Sum of ContactPair::law_mismatch of the bodies' displacements and contact forces over all pairs.
+  double law_mismatch(const std::vector<ContactPair> &pairs, const std::vector<BodyResult> &bodies);
 
   /**
    * The cells to be changed, body by body: those that the marking of the scene chooses in bodies that adapt,

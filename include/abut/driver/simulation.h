@@ -4,6 +4,7 @@
 #include <abut/decomposition/interface_solver.h>
 #include <abut/driver/estimation.h>
 #include <abut/driver/model.h>
+#include <abut/report/step_estimate.h>
 
 #include <chrono>
 #include <iosfwd>
@@ -11,12 +12,22 @@
 
 namespace abut
 {
+  /// A pass as it stands, before the mesh changes; valid during the call that shows it.
+  struct PassState
+  {
+    const Results &results;
+    const Estimation &estimation; ///< empty where nothing is estimated
+    const InterfaceProblem &problem;
+  };
+
   /// Is told what happens in a run; each part may be empty.
   struct RunObserver
   {
     std::function<void(unsigned int pass, const Counts &counts)> begin_pass;
     StepObserver step;
+    std::function<void(const StepEstimate &)> estimate; ///< after its step (Adaptation/Estimate steps)
     std::function<void(const PassRecord &)> end_pass;
+    std::function<void(const PassState &)> state; ///< after end_pass
   };
 
   /**
@@ -72,10 +83,10 @@ namespace abut
 
     /// Bodies, pairs and estimates that belong to the traction of `results.iteration`.
     void evaluate(Results &results);
-    /// The pressures that the estimate refers to: those that the displacement answers. With boundary elements
-    /// those that the contact law makes of it, so that the estimate tells of discretisation and iteration
-    /// together; but in the combined algorithm both solutions answer the same, as in the paper.
-    Eigen::VectorXd applied_pressures(const SchemeResult &iteration) const;
+    /// Whether the estimate refers to the pressures that the contact law makes of the displacement, so that
+    /// it tells of discretisation and iteration together: with boundary elements and a penalty. Else it
+    /// refers to those that the displacement answers; also in the combined algorithm, as in the paper.
+    bool estimates_by_law() const;
     PassRecord record_pass(const std::optional<CarriedState> &carried, Results &results) const;
     /// Whether no further mesh is to be made; then `results.adaptation_end` says why, in a scene that adapts.
     bool is_last_pass(Results &results) const;
@@ -100,6 +111,7 @@ namespace abut
     std::unique_ptr<Indicator> indicator_;
     std::unique_ptr<InterfaceSolver> solver_; ///< of the present mesh
     Estimation estimation_;                   ///< of the present solution
+    PassCost cost_;                           ///< of the present pass
     bool state_is_field_ = true; ///< combined algorithm: false after the paper's literal initial guess
     double mesh_time_ = 0., reference_time_ = 0.;
   };

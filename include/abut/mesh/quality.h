@@ -13,6 +13,7 @@ namespace abut
   struct MeshQuality
   {
     double h_max;      ///< h_F, the largest D_e
+    double h_boundary; ///< h_B, the longest edge on the boundary; (22) asks for h_B/h_F between constants
     double regularity; ///< the largest D_e/d_e; 2.414... for squares, 2 for equilateral triangles
   };
 

@@ -32,6 +32,9 @@ namespace abut
     bool moved_apart = false; ///< some body is drawn elsewhere
   };
 
+  /// A body where it lies before anything moves, with the stress of its solution.
+  DrawnBody undeformed_body(const BodyResult &result);
+
   /**
    * The deformed scene, displacements times `factor` (1, 2 or 5 times a power of ten) such that the bodies'
    * largest displacement relative to their mean is at most, and at least 2/5 of, a twentieth of the scene's

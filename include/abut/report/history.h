@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/report/results.h>
+#include <abut/report/step_estimate.h>
 
 #include <string>
 #include <vector>
@@ -21,8 +22,10 @@ namespace abut
     /// `wall_time`: seconds since the run began.
     void add(const StepRecord &record, const double wall_time)
     {
-      rows_.push_back({pass_, counts_, record, wall_time, {}});
+      rows_.push_back({pass_, counts_, record, wall_time, {}, {}});
     }
+    /// Belongs to the last step.
+    void add(const StepEstimate &estimate) { rows_.back().estimate = estimate; }
     /// What the pass has found stands in its last row.
     void end_pass(const PassRecord &record);
 
@@ -37,6 +40,7 @@ namespace abut
       Counts counts;
       StepRecord step;
       double wall_time;
+      std::optional<StepEstimate> estimate;
       std::optional<PassRecord> found;
     };
     static std::vector<std::string> cells(const Row &row);

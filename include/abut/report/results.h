@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/adaptation/indicator.h>
 #include <abut/contact/contact_pair.h>
 #include <abut/decomposition/scheme.h>
 #include <abut/elasticity/body.h>
+#include <abut/mesh/quality.h>
 #include <abut/report/counts.h>
 #include <abut/report/estimator_quality.h>
 #include <abut/scene/scene.h>
@@ -21,7 +23,16 @@ namespace abut
   {
     double mesh = 0., assemble = 0., factorise = 0., solve = 0., interface = 0., estimate = 0., adapt = 0.,
            output = 0.;
+    double bem = 0.;       ///< boundary elements: a part of `estimate`
     double reference = 0.; ///< comparing with the exact solution
+  };
+
+  /// Seconds that the finite elements of a pass took, and what boundary elements cost beside them; all
+  /// bodies.
+  struct PassCost
+  {
+    double assemble = 0., factorise = 0., solve = 0.;
+    BoundaryCost boundary;
   };
 
   struct BodyResult
@@ -33,6 +44,8 @@ namespace abut
     double energy = 0.;             ///< strain energy
     double max_von_mises = 0.;      ///< over the Gauss points
     Reactions reactions;
+    Eigen::VectorXd eta;        ///< of each cell, where estimated
+    std::vector<Stress> better; ///< the estimator's better stress (CellErrors::better); may be empty
   };
 
   struct PairResult
@@ -77,7 +90,8 @@ namespace abut
     std::optional<double> eta_max; ///< over the cells of the adapted bodies (of all, where none adapts)
     std::optional<double> discretisation; ///< estimated, energy norm
     std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
-    std::optional<double> total;          ///< root of the squares of discretisation and iteration
+    std::optional<double> total;          ///< root of the squares of discretisation and iteration; with fe-be
+                                          ///< the bound of both together (Estimation::bound)
     TrueErrors true_errors;
     std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
     std::optional<double> effectivity_total; ///< total by true_errors.energy
@@ -85,6 +99,8 @@ namespace abut
     std::optional<double> change;
     double normal_force = 0., max_pressure = 0.; ///< sum and largest over the pairs
     std::size_t n_missed = 0;                    ///< pieces of missed contact
+    std::vector<MeshQuality> meshes;             ///< body by body
+    PassCost cost;
     double seconds = 0.; ///< since the run began, without comparing with the exact solution
 
     /// Estimated stress error by that against sigma*.

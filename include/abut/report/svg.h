@@ -23,6 +23,9 @@ namespace abut
     }
   };
 
+  /// The beginning of an SVG file with a white page of the given size in pixels; it ends with `</svg>`.
+  void write_svg_head(std::ostream &out, const Vector2 &size);
+
   /// Writes an SVG path through the points. The precision is a hundredth of a pixel.
   void write_path(std::ostream &out, const Polyline &points, const PageFrame &frame, bool closed,
                   const std::string &attributes);

@@ -52,8 +52,9 @@ namespace abut
     double coarsening = 0.; ///< see the parameter's documentation; 0: no cell is merged
     unsigned int maximum_passes = 10;
     unsigned int maximum_unknowns = 1000000;
-    double iteration_fraction = .1; ///< iteration error allowed, by the discretisation error
-    bool combined = false;          ///< one decomposition step and one adaptation step a pass
+    double iteration_fraction = .1;  ///< iteration error allowed, by the discretisation error
+    unsigned int estimate_steps = 0; ///< estimate at every n-th step too (fe-be); 0: at the end of a pass
+    bool combined = false;           ///< one decomposition step and one adaptation step a pass
 
     static void declare(dealii::ParameterHandler &prm);
     /// Reads the section the handler stands in. Throws UserError.

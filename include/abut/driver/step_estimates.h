@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/driver/estimation.h>
+#include <abut/driver/model.h>
+#include <abut/driver/stress_samples.h>
+#include <abut/report/step_estimate.h>
+
+namespace abut
+{
+  /**
+   * Estimates at single steps of the decomposition on one mesh: the bodies' displacement u^k against the
+   * boundary elements' answer to the pressures p^k that the contact law makes of it.
+   */
+  class StepEstimates
+  {
+  public:
+    /// All must outlive the object; `exact` may be null, `indicator` where nothing is asked.
+    StepEstimates(const Scene &scene, const Model &model, const Indicator *indicator,
+                  const ExactSolution *exact);
+
+    /// Empty where the step's displacement is no field (the paper's literal guess).
+    std::optional<StepEstimate> at(const StepRecord &record);
+
+  private:
+    std::vector<BodyResult> bodies_at(const StepRecord &record) const;
+    /// Energy norm of the error, and of the exact stress.
+    struct Norms
+    {
+      double error, exact;
+    };
+    std::optional<Norms> true_error(const std::vector<BodyResult> &bodies);
+
+    const Scene &scene_;
+    const Model &model_;
+    const Indicator *indicator_;
+    const ExactSolution *exact_;
+    std::vector<std::vector<Stress>> exact_stresses_; ///< of every body, once asked for
+  };
+} // namespace abut

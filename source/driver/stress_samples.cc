@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/driver/stress_samples.h>
+
+#include <tbb/parallel_for.h>
+
+namespace abut
+{
+  std::vector<StressSample> stress_samples(const BodyResult &result, const dealii::Quadrature<2> &rule)
+  {
+    const Material material = result.body->material();
+    const Placement &placement = result.body->description().placement;
+    std::vector<StressSample> samples;
+    visit_gradients(
+        result.body->space(), rule, result.deformation,
+        [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
+          samples.push_back(
+              {placement.point_to_own(point), weight, in_own_frame(material.stress(gradient), placement)});
+        });
+    return samples;
+  }
+
+  Stress in_own_frame(const Stress &s, const Placement &placement)
+  {
+    Eigen::Matrix2d axes, tensor;
+    axes << placement.direction_to_world(Vector2::UnitX()), placement.direction_to_world(Vector2::UnitY());
+    tensor << s.xx, s.xy, s.xy, s.yy;
+    const Eigen::Matrix2d own = axes.transpose() * tensor * axes;
+    return {own(0, 0), own(1, 1), own(0, 1), s.zz};
+  }
+
+  std::vector<Stress> at_samples(const OwnStress &exact, const std::vector<StressSample> &samples)
+  {
+    std::vector<Stress> stresses(samples.size());
+    tbb::parallel_for(std::size_t(0), samples.size(),
+                      [&](const std::size_t i) { stresses[i] = exact(samples[i].own_point); });
+    return stresses;
+  }
+} // namespace abut
