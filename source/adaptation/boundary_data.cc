@@ -7,6 +7,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 
 namespace abut
@@ -51,25 +52,25 @@ namespace abut
   }
 
   BoundaryData::BoundaryData(const Body &body, const std::vector<dealii::types::boundary_id> &boundaries,
-                             const std::vector<Trace> &sides, const BoundarySpace &space,
+                             const GradedSides &sides, const BoundarySpace &space,
                              const unsigned int load_degree)
-      : body_(body), space_(space), load_degree_(load_degree),
+      : body_(body), sides_(sides), space_(space), load_degree_(load_degree),
         prescribed_(Eigen::VectorXd::Zero(2 * space.n_coefficients())),
         uniform_(scaled_body_force(body, space), body.material().poisson_ratio)
   {
     const SideConditions conditions(body);
-    std::map<dealii::types::boundary_id, std::size_t> first_of;
-    std::size_t element = 0;
-    for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t i = 0; i < boundaries.size(); ++i)
     {
-      first_of[boundaries[i]] = element;
-      element += sides[i].segments().size();
-      for (std::size_t e = first_of[boundaries[i]]; e < element; ++e)
-        supported_.push_back(conditions.supported(boundaries[i], outward_normal(space.elements()[e])));
-      add_prescribed(conditions, sides[i], boundaries[i], first_of[boundaries[i]]);
+      const Trace &side = sides.sides()[i];
+      first_element_.push_back(supported_.size());
+      for (std::size_t k = 0; k < side.segments().size(); ++k)
+        supported_.push_back(
+            conditions.supported(boundaries[i], outward_normal(space.elements()[supported_.size()])));
+      add_prescribed(conditions, side, boundaries[i], first_element_[i]);
     }
     for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
-      first_element_.push_back(first_of.at(body.contact_boundary(k)));
+      contact_side_.push_back(static_cast<std::size_t>(
+          std::find(boundaries.begin(), boundaries.end(), body.contact_boundary(k)) - boundaries.begin()));
     take_off_uniform_force();
   }
 
@@ -140,23 +141,38 @@ namespace abut
 
   BoundaryState BoundaryData::known(const BodySolution &solution) const
   {
-    BoundaryState state{prescribed_, space_.trace_of(solution.deformation) - uniform_displacement_};
+    BoundaryState state{prescribed_,
+                        space_.trace_of(sides_.extended(solution.deformation)) - uniform_displacement_};
     for (std::size_t k = 0; k < body_.contact_sides().size(); ++k)
     {
       const Trace &side = body_.contact_sides()[k];
-      const Eigen::VectorXd traction =
-          applied_traction(side, solution.contact_forces.segment(body_.trace_offset(k),
-                                                                 2 * static_cast<Index>(side.n_nodes())));
-      for (std::size_t i = 0; i < side.segments().size(); ++i)
-      {
-        const Segment &segment = side.segments()[i];
-        Eigen::MatrixX2d values(static_cast<Index>(segment.nodes.size()), 2);
-        for (Index j = 0; j < values.rows(); ++j)
-          values.row(j) = traction.segment<2>(2 * segment.nodes[static_cast<std::size_t>(j)]).transpose();
-        add_moments(first_element_[k] + i, segment_mass(side, segment) * values, state.traction);
-      }
+      const auto size = 2 * static_cast<Index>(side.n_nodes());
+      const auto forces = solution.contact_forces.segment(body_.trace_offset(k), size);
+      add_contact(k, applied_traction(side, forces), state.traction);
     }
     return state;
+  }
+
+  void BoundaryData::add_contact(const std::size_t contact_side, const Eigen::VectorXd &traction,
+                                 Eigen::VectorXd &sum) const
+  {
+    const Trace &side = body_.contact_sides()[contact_side];
+    const std::size_t place = contact_side_[contact_side];
+    const Trace &graded = sides_.sides()[place];
+    for (std::size_t i = 0; i < graded.segments().size(); ++i)
+    {
+      const GradedSides::Piece &piece = sides_.pieces(place)[i];
+      const std::vector<unsigned int> &nodes = side.segments()[piece.segment].nodes;
+      Eigen::MatrixX2d values = Eigen::MatrixX2d::Zero(static_cast<Index>(nodes.size()), 2);
+      for (Index j = 0; j < values.rows(); ++j)
+      {
+        const Eigen::VectorXd shapes =
+            side.basis().values(piece.from + (piece.to - piece.from) * side.basis().nodes()[j]);
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+          values.row(j) += shapes[static_cast<Index>(n)] * traction.segment<2>(2 * nodes[n]).transpose();
+      }
+      add_moments(first_element_[place] + i, segment_mass(graded, graded.segments()[i]) * values, sum);
+    }
   }
 
   Eigen::VectorXd BoundaryData::support_traction(const Eigen::VectorXd &support_forces) const

@@ -12,6 +12,9 @@ namespace abut
   {
     using Index = Eigen::Index;
 
+    /// Halvings of an edge towards a singular vertex.
+    constexpr unsigned int n_splits = 8;
+
     std::vector<Trace> traces(const Space &space, const std::vector<dealii::types::boundary_id> &boundaries)
     {
       std::vector<Trace> sides;
@@ -86,12 +89,16 @@ namespace abut
     const unsigned int p = body.space().degree();
     const unsigned int displacement_degree = kind == BoundarySolution::reference_quality ? p + 1 : p;
     const unsigned int traction_degree = kind == BoundarySolution::constant_traction ? p - 1 : p;
-    space_ = std::make_unique<BoundarySpace>(sides, displacement_degree, displacement_degree);
-    data_ = std::make_unique<BoundaryData>(body, boundaries, sides, *space_, traction_degree);
+    const bool graded = kind == BoundarySolution::trace_space || kind == BoundarySolution::reference_quality;
+    sides_ = std::make_unique<GradedSides>(body, boundaries, sides, graded ? n_splits : 0u);
+    space_ = std::make_unique<BoundarySpace>(sides_->sides(), displacement_degree, displacement_degree);
+    data_ = std::make_unique<BoundaryData>(body, boundaries, *sides_, *space_, traction_degree);
+    // From degree 3 on finite elements are soon better than the quick rule.
+    const bool needs_precision = kind == BoundarySolution::reference_quality || p > 2;
     if (kind != BoundarySolution::finite_element_trace)
       problem_ = std::make_unique<BoundaryProblem>(
           *space_, data_->supported(), traction_degree, body.material().poisson_ratio,
-          kind == BoundarySolution::reference_quality ? GalerkinRule::precise() : GalerkinRule::estimating());
+          needs_precision ? GalerkinRule::precise() : GalerkinRule::estimating());
   }
 
   BoundaryState BoundaryModel::solve(const BodySolution &solution) const
@@ -125,7 +132,7 @@ namespace abut
     for (Index element = 0; element < slope.cols(); ++element)
     {
       const auto here = static_cast<std::size_t>(element), next = space_->next(here);
-      if (space_->is_corner(here))
+      if (space_->is_corner(here) || sides_->singular_ends()[here])
         continue;
       const Complex jump = at(static_cast<Index>(next), -1.) - at(element, 1.);
       const double share = elements[here].length / (elements[here].length + elements[next].length);

@@ -217,6 +217,7 @@ namespace abut
           for (const unsigned int q : values.quadrature_point_indices())
             stress[q] = material.stress(gradient_at(values, q, dofs, solution.deformation));
         });
+    errors.better.clear();
     const std::vector<Squares> squares = Estimate(solution).run();
     for (std::size_t i = 0; i < squares.size(); ++i)
     {

@@ -2,6 +2,7 @@
 //
 // What a solved interface means for bodies and pairs.
 
+#include <abut/adaptation/graded_sides.h>
 #include <abut/driver/simulation.h>
 #include <abut/user_error.h>
 
@@ -126,6 +127,22 @@ namespace abut
     return distance_from(limit, reached, problem, std::sqrt(energy));
   }
 
+  namespace
+  {
+    /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
+    std::string underestimated_body(const Scene &scene, const std::vector<std::unique_ptr<Body>> &bodies)
+    {
+      if (scene.adaptation.estimator != EstimatorKind::fe_be ||
+          scene.adaptation.boundary_solution == BoundarySolution::trace_space ||
+          scene.adaptation.boundary_solution == BoundarySolution::reference_quality)
+        return {};
+      for (const auto &body : bodies)
+        if (has_singular_vertices(*body))
+          return body->name();
+      return {};
+    }
+  } // namespace
+
   std::vector<std::string> Simulation::warnings(const Results &results) const
   {
     std::vector<std::string> sentences;
@@ -142,6 +159,14 @@ namespace abut
       sentences.emplace_back(
           "Adaptation/Estimator = zz sees only a part of the error of degree 2, a tenth to a half "
           "of it: its marks are good, its values and a Limit are not; spr and kelly see it whole");
+    const std::string body = underestimated_body(scene_, bodies());
+    if (!body.empty())
+      sentences.push_back(
+          "Body " + body +
+          " has a vertex where the stress is infinite (a reentrant corner, a support that begins or ends, a "
+          "load that jumps): there the boundary elements of Adaptation/Boundary solution = constant "
+          "traction and finite element trace are about as coarse as the finite elements, the error may be a "
+          "third larger than estimated; trace space and reference quality see it whole");
     return sentences;
   }
 

@@ -2,6 +2,7 @@
 #include <abut/driver/simulation.h>
 #include <abut/driver/study.h>
 #include <abut/report/atomic_file.h>
+#include <abut/report/quality_table.h>
 #include <abut/report/study_table.h>
 #include <abut/user_error.h>
 
@@ -31,7 +32,10 @@ namespace abut
       if (!results.converged())
         failed.push_back(variant.name);
       if (!quiet)
-        out << study_table(runs.back()) << std::endl;
+        out << study_table(runs.back()) << '\n';
+      const std::string quality = quality_table(runs.back());
+      if (!quiet && !quality.empty())
+        out << quality << std::endl;
     }
     const std::string path = (std::filesystem::path(scene.output_directory) / "study.csv").string();
     write_file(path, study_csv(runs));

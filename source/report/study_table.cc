@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/report/numbers.h>
+#include <abut/report/quality_table.h>
 #include <abut/report/study_table.h>
 
 #include <cmath>
@@ -63,14 +64,15 @@ namespace abut
     std::ostringstream out;
     out << "variant,pass,cells,dofs,steps,wall_time_s,true_error_stress,true_error_energy,true_error_"
            "pressure,"
-           "true_error_force,error_stress,error_discretisation,effectivity\n";
+           "true_error_force,error_stress,error_discretisation,effectivity"
+        << quality_header() << '\n';
     for (const StudyRun &run : runs)
       for (const PassRecord &pass : run.passes)
         out << '"' << run.name << "\"," << pass.pass << ',' << pass.counts.cells << ',' << pass.counts.dofs
             << ',' << pass.steps << ',' << exact_number(pass.seconds) << ',' << cell(pass.true_errors.stress)
             << ',' << cell(pass.true_errors.energy) << ',' << cell(pass.true_errors.pressure) << ','
             << cell(pass.true_errors.force) << ',' << cell(pass.stress) << ',' << cell(pass.discretisation)
-            << ',' << cell(pass.effectivity()) << '\n';
+            << ',' << cell(pass.effectivity()) << quality_row(pass) << '\n';
     return out.str();
   }
 } // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/adaptation/graded_sides.h>
 #include <abut/adaptation/indicator.h>
 #include <abut/bem/boundary_problem.h>
 #include <abut/elasticity/side_conditions.h>
@@ -28,25 +29,28 @@ namespace abut
    * The data of a body's boundary value problem for boundary elements: where it is supported, and what is
    * known of traction and displacement. Both solutions of a body get the same data: displacements are those
    * of the finite elements at supported nodes; the traction on each edge is the polynomial of the element's
-   * degree (or lower) with the moments int t phi_j of the finite elements' load.
+   * degree (or lower) with the moments int t phi_j of the finite elements' load, on a piece of an edge that
+   * of the piece.
    */
   class BoundaryData
   {
   public:
-    /// `load_degree`: of the known tractions. Both must outlive the object.
+    /// `load_degree`: of the known tractions. Body, sides and space must outlive the object.
     BoundaryData(const Body &body, const std::vector<dealii::types::boundary_id> &boundaries,
-                 const std::vector<Trace> &sides, const BoundarySpace &space, unsigned int load_degree);
+                 const GradedSides &sides, const BoundarySpace &space, unsigned int load_degree);
 
     /// Unit directions, none, one or two, for every element.
     const std::vector<std::vector<Vector2>> &supported() const { return supported_; }
     /// What is known under a load, in the units of BoundaryState; less the UniformForce.
     BoundaryState known(const BodySolution &solution) const;
     /// The traction along supported directions, continuous along each side, that does the work of the
-    /// supports' nodal forces (a finite-element vector); less the UniformForce.
+    /// supports' nodal forces (a finite-element vector); less the UniformForce. For sides
+    /// that are not split.
     Eigen::VectorXd support_traction(const Eigen::VectorXd &support_forces) const;
     const UniformForce &uniform_force() const { return uniform_; }
 
   private:
+    void add_contact(std::size_t contact_side, const Eigen::VectorXd &traction, Eigen::VectorXd &sum) const;
     void add_prescribed(const SideConditions &conditions, const Trace &side,
                         dealii::types::boundary_id boundary, std::size_t first_element);
     /// Adds to the Legendre coefficients of one element what the supports leave of a traction's moments.
@@ -54,10 +58,12 @@ namespace abut
     void take_off_uniform_force();
 
     const Body &body_;
+    const GradedSides &sides_;
     const BoundarySpace &space_;
     unsigned int load_degree_;
     std::vector<std::vector<Vector2>> supported_;
-    std::vector<std::size_t> first_element_; ///< of every contact side
+    std::vector<std::size_t> contact_side_;  ///< the place of every contact side among all sides
+    std::vector<std::size_t> first_element_; ///< of every side
     Eigen::VectorXd prescribed_;             ///< tractions that do not depend on the contact
     UniformForce uniform_;
     Eigen::VectorXd uniform_support_; ///< its traction along supported directions

@@ -7,7 +7,9 @@
 namespace abut
 {
   /**
-   * A body's stress by boundary elements, sigma_B of (23), on the trace of its present mesh. Made once for a
+   * A body's stress by boundary elements, sigma_B of (23), on the trace of its present mesh, which is split
+   * towards singular vertices (see GradedSides; not with the constant traction, the paper's, nor where the
+   * finite elements' own trace is taken). Made once for a
    * mesh, it solves for any load with the operators of (20)'s body and evaluates the stress inside.
    */
   class BoundaryModel
@@ -24,7 +26,8 @@ namespace abut
     /// Tractions and displacements on the boundary, scaled (see BoundaryState), less the uniform force's.
     BoundaryState solve(const BodySolution &solution) const;
     /// The same as densities for the stress: on each element du/ds gets the term of its degree that halves
-    /// its jumps at vertices and keeps its mean (not with the constant traction, nor across corners).
+    /// its jumps at vertices and keeps its mean (not with the constant traction, nor across corners and
+    /// singular vertices).
     BoundaryValues values(const BoundaryState &state) const;
 
     const BoundarySpace &space() const { return *space_; }
@@ -39,6 +42,7 @@ namespace abut
 
     const Body &body_;
     BoundarySolution kind_;
+    std::unique_ptr<GradedSides> sides_;
     std::unique_ptr<BoundarySpace> space_;
     std::unique_ptr<BoundaryData> data_;
     std::unique_ptr<BoundaryProblem> problem_; ///< none with the trace of the finite elements
