@@ -129,8 +129,8 @@ namespace abut
                                    const Eigen::VectorXd &master_displacement,
                                    const Eigen::VectorXd &traction) const
   {
-    const std::array<double, GapSamples::per_piece> boole{7. / 90., 32. / 90., 12. / 90., 32. / 90.,
-                                                          7. / 90.};
+    const std::array<double, GapSamples::per_piece> boole{
+        {7. / 90., 32. / 90., 12. / 90., 32. / 90., 7. / 90.}};
     const Eigen::ArrayXd gaps = sampled_gaps(slave_displacement, master_displacement);
     const Eigen::ArrayXd pressures = samples_.slave * traction; // its rows are -n
     const Eigen::ArrayXd products = pressures.abs() * (penalty_ * pressures + gaps).abs();

@@ -38,12 +38,14 @@ TEST(Program, WritesTheFilesOfTheContract)
                                 "time_s", "peak_memory_mb", "left_out"})
     EXPECT_TRUE(answer.summary.contains(key)) << key;
   const std::string history = read_file(answer.directory + "/history.csv");
-  EXPECT_EQ(history.substr(0, history.find('\n')), "pass,step,dofs,boundary_dofs,cells,eta_max,increment,"
-                                                   "error_discretisation,error_penalty,error_iteration,"
-                                                   "error_total,true_error_energy,true_error_stress,"
-                                                   "effectivity,effectivity_total,normal_force,max_pressure,"
-                                                   "wall_time_s,true_error_pressure,true_error_force,"
-                                                   "error_stress,change");
+  EXPECT_EQ(history.substr(0, history.find('\n')),
+            "pass,step,dofs,boundary_dofs,cells,eta_max,increment,"
+            "error_discretisation,error_penalty,error_iteration,"
+            "error_total,true_error_energy,true_error_stress,"
+            "effectivity,effectivity_total,normal_force,max_pressure,"
+            "wall_time_s,true_error_pressure,true_error_force,"
+            "error_stress,change,step_discretisation,step_bound,step_true_error,"
+            "step_discretisation_ratio,step_bound_ratio");
 }
 
 TEST(Program, ParametersCanBeRunAgain)
