@@ -112,8 +112,8 @@ namespace
               "effectivity_total,normal_force,max_pressure,wall_time_s,true_error_pressure,true_error_force,"
               "error_stress,change,step_discretisation,step_bound,step_true_error,"
               "step_discretisation_ratio,step_bound_ratio");
-    EXPECT_EQ(lines[1], "0,1,100,20,8,,0.5,,,,,,,,,3,2,0.25,,,,");
-    EXPECT_EQ(lines[2], "0,2,100,20,8,,0.5,,,0.125,,,,,,3,2,0.75,,,,");
+    EXPECT_EQ(lines[1], "0,1,100,20,8,,0.5,,,,,,,,,3,2,0.25,,,,,,,,,");
+    EXPECT_EQ(lines[2], "0,2,100,20,8,,0.5,,,0.125,,,,,,3,2,0.75,,,,,,,,,");
   }
 
   TEST(ReportHistory, WhatAPassHasFoundStandsInItsLastRow)
