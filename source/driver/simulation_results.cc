@@ -153,6 +153,14 @@ namespace abut
             std::to_string(pair.missed.size()) +
             " pieces of the slave side far from any node in contact; contact smaller than a cell is not "
             "resolved, use finer cells or let the bodies adapt (Body <name>/Adapt)");
+    constexpr double much_stiffer = 10.;
+    for (const ContactPair &pair : pairs())
+      if (pair.penalty() == 0. && much_stiffer * pair.slave().flexibility < pair.master().flexibility)
+        sentences.push_back(
+            "Contact " + pair.name() +
+            ": with exact contact the pressure is rough where the slave is much stiffer than the "
+            "master and its cells are finer; take the softer body as slave (Contact " +
+            pair.name() + "/Slave, Master), or a penalty");
     const bool even_degree = std::any_of(bodies().begin(), bodies().end(),
                                          [](const auto &body) { return body->space().degree() == 2; });
     if (scene_.adaptation.estimator == EstimatorKind::zz && even_degree)

@@ -269,3 +269,16 @@ TEST(InterfaceSolvers, ACoarserMeshGivesTheStart)
     EXPECT_LE(passes[i]["steps"].get<int>(), 5);
   EXPECT_LT(passes[4]["true_error_stress"].get<double>(), .55 * passes[3]["true_error_stress"].get<double>());
 }
+
+// Rough pressures of a stiff and fine slave are named; a slave that is the softer body has none.
+TEST(InterfaceSolvers, AStiffSlaveIsNamedWithExactContact)
+{
+  for (const std::string stiff : {"lower", "upper"})
+  {
+    const Answer answer = run_scene(
+        "two-layers-rollers", exact_contact("newton", {"Body upper/Cells=16, 4", "Body lower/Cells=32, 8",
+                                                       "Body " + stiff + "/Young modulus=2.1e7"}));
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(answer.err.find("take the softer body as slave") != std::string::npos, stiff == "lower");
+  }
+}
