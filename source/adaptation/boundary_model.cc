@@ -2,8 +2,10 @@
 #include <abut/adaptation/boundary_model.h>
 #include <abut/user_error.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace abut

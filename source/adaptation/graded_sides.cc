@@ -36,6 +36,14 @@ namespace abut
       return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
     }
 
+    /// Whether single supported directions differ, where the boundary goes straight on.
+    bool supports_turn(const std::vector<Vector2> &before, const std::vector<Vector2> &after)
+    {
+      constexpr double sine = .5; // normals of neighbouring edges differ by less
+      return before.size() == 1 && after.size() == 1 &&
+             std::abs(before[0].x() * after[0].y() - before[0].y() * after[0].x()) > sine;
+    }
+
     /// Halvings of an edge that leave no piece shorter than `shortest`.
     unsigned int halvings(const Segment &segment, const double shortest, const unsigned int wanted)
     {
@@ -156,8 +164,14 @@ namespace abut
     const std::size_t n_before = before.supported.size(), n_after = after.supported.size();
     if (angle > bend)
       return n_before != n_after && n_before * n_after == 0 && n_before + n_after == 2;
-    const Vector2 change = after.traction(conditions, near) - before.traction(conditions, 1. - near);
-    return n_before != n_after || change.norm() > jump * largest_traction;
+    if (n_before != n_after || supports_turn(before.supported, after.supported))
+      return true;
+    constexpr double infinite = 100.; // times the value in the middle of the edge: 1/sqrt(s) gives 700
+    const Vector2 from_left = before.traction(conditions, 1. - near),
+                  from_right = after.traction(conditions, near);
+    return (from_right - from_left).norm() > jump * largest_traction ||
+           from_left.norm() > infinite * before.traction(conditions, .5).norm() ||
+           from_right.norm() > infinite * after.traction(conditions, .5).norm();
   }
 
   void GradedSides::add_edge(const Edge &edge, const std::size_t index, const unsigned int n,

@@ -15,8 +15,10 @@ namespace abut
                          end = (data + sizeof(double) * static_cast<std::uintptr_t>(matrix.size())) / page *
                                page;
     // No more than advice: without large pages all works as before.
+#ifdef MADV_HUGEPAGE
     if (end > first)
       madvise(reinterpret_cast<void *>(first), end - first, MADV_HUGEPAGE);
+#endif
     return matrix;
   }
 } // namespace abut

@@ -85,6 +85,14 @@ namespace abut
     return std::sqrt(square);
   }
 
+  BoundaryCost Estimation::boundary_cost() const
+  {
+    BoundaryCost cost;
+    for (const CellErrors &body : errors)
+      cost += body.boundary;
+    return cost;
+  }
+
   double Estimation::eta_max(const Scene &scene) const
   {
     const bool some_adapt = std::any_of(scene.bodies.begin(), scene.bodies.end(),

@@ -50,7 +50,7 @@ namespace abut
       return cells;
     }
 
-    /// Vertices of the slave side where contact begins or ends, by their places.
+    /// Middles of the slave's edges within which contact begins or ends.
     std::vector<Vector2> contact_ends(const std::vector<PairResult> &pairs)
     {
       std::vector<Vector2> places;
@@ -83,6 +83,7 @@ namespace abut
       sum.better += cell.better;
     }
 
+    /// Equal values share their mean rank.
     Eigen::VectorXd ranks(const Eigen::VectorXd &values)
     {
       std::vector<Index> order(static_cast<std::size_t>(values.size()));
@@ -90,8 +91,14 @@ namespace abut
       std::sort(order.begin(), order.end(),
                 [&](const Index i, const Index j) { return values[i] < values[j]; });
       Eigen::VectorXd result(values.size());
-      for (std::size_t rank = 0; rank < order.size(); ++rank)
-        result[order[rank]] = static_cast<double>(rank);
+      for (auto first = order.begin(); first != order.end();)
+      {
+        const auto last =
+            std::find_if(first, order.end(), [&](const Index i) { return values[i] != values[*first]; });
+        const double mean = .5 * static_cast<double>((first - order.begin()) + (last - order.begin() - 1));
+        for (; first != last; ++first)
+          result[*first] = mean;
+      }
       return result;
     }
 

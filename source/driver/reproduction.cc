@@ -73,8 +73,8 @@ namespace abut
           out << '"' << run.name << "\"," << pass.record.pass + 1 << ',' << pass.record.counts.dofs << ','
               << pass.all_unknowns << ',' << exact_number(pass.record.seconds) << ','
               << exact_number(pass.estimate_seconds) << ','
-              << exact_number(pass.record.true_errors.stress.value_or(0.)) << ','
-              << exact_number(pass.record.true_errors.energy.value_or(0.)) << '\n';
+              << exact_number(pass.record.true_errors.stress.value()) << ','
+              << exact_number(pass.record.true_errors.energy.value()) << '\n';
       return out.str();
     }
 
@@ -86,7 +86,7 @@ namespace abut
         Curve first{run.name, {}, Curve::Style::marks}, second = first;
         for (const ObservedPass &pass : run.passes)
         {
-          const double error = pass.record.true_errors.energy.value_or(0.);
+          const double error = pass.record.true_errors.energy.value();
           first.points.emplace_back(static_cast<double>(pass.all_unknowns), error);
           second.points.emplace_back(pass.record.seconds, error);
         }
@@ -114,6 +114,9 @@ namespace abut
     const Scene scene = Scene::read(file, overrides);
     if (scene.adaptation.combined)
       exact_half_width(scene); // refuses scenes that the figures are not made for
+    else if (scene.reference.solution == ReferenceParameters::Solution::none)
+      throw UserError("Reference/Exact solution: received `none`, allowed for `abut reproduce` without "
+                      "Adaptation/Combined are solutions with a stress: the figures show true errors");
     make_output_directory(scene.output_directory);
     PaperRuns runs = run_all(scene, file, overrides);
     const bool converged = runs.base.converged;

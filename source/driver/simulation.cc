@@ -123,6 +123,10 @@ namespace abut
       start = results.iteration.traction;
       evaluate(results);
     } while (!iterated_enough(results, tolerance));
+    results.times.interface -= estimates.estimate_seconds() + estimates.reference_seconds();
+    results.times.estimate += estimates.estimate_seconds();
+    results.times.reference += estimates.reference_seconds();
+    count_boundary_elements(estimates.boundary_cost(), results);
     results.iteration.steps = steps;
 
     CarriedState state;

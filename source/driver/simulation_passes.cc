@@ -14,23 +14,11 @@
 
 namespace abut
 {
-  namespace
+  void Simulation::count_boundary_elements(const BoundaryCost &cost, Results &results)
   {
-    void count_boundary_elements(const Estimation &estimation, Times &times, BoundaryCost &cost)
-    {
-      cost.elements = cost.unknowns = 0; // of one estimate; times and models add up
-      for (const CellErrors &body : estimation.errors)
-      {
-        cost.elements += body.boundary.elements;
-        cost.unknowns += body.boundary.unknowns;
-        cost.models += body.boundary.models;
-        cost.assemble += body.boundary.assemble;
-        cost.solve += body.boundary.solve;
-        cost.evaluate += body.boundary.evaluate;
-        times.bem += body.boundary.assemble + body.boundary.solve + body.boundary.evaluate;
-      }
-    }
-  } // namespace
+    cost_.boundary += cost;
+    results.times.bem += cost.seconds();
+  }
 
   void Simulation::evaluate(Results &results)
   {
@@ -58,12 +46,16 @@ namespace abut
       results.bodies[a].eta = estimation_.eta[a];
       results.bodies[a].better = estimation_.errors[a].better;
     }
-    count_boundary_elements(estimation_, results.times, cost_.boundary);
+    count_boundary_elements(estimation_.boundary_cost(), results);
+    // Sizes are those of one estimate, however many were made.
+    cost_.boundary.elements = estimation_.boundary_cost().elements;
+    cost_.boundary.unknowns = estimation_.boundary_cost().unknowns;
   }
 
   bool Simulation::estimates_by_law() const
   {
     return scene_.adaptation.estimator == EstimatorKind::fe_be && !scene_.adaptation.combined &&
+           scene_.adaptation.boundary_solution != BoundarySolution::finite_element_trace &&
            (model_->problem().penalties().array() > 0.).all();
   }
 

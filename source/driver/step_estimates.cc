@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/step_estimates.h>
+#include <abut/driver/stopwatch.h>
 
 #include <cmath>
 
@@ -51,9 +52,16 @@ namespace abut
   {
     if (record.answered == nullptr)
       return {};
-    const std::vector<BodyResult> bodies = bodies_at(record);
-    Estimation estimation = estimate(*indicator_, scene_.adaptation, bodies);
-    estimation.law_mismatch = law_mismatch(model_.pairs(), bodies);
+    std::vector<BodyResult> bodies;
+    Estimation estimation;
+    {
+      const Stopwatch watch(estimate_seconds_);
+      bodies = bodies_at(record);
+      estimation = estimate(*indicator_, scene_.adaptation, bodies);
+      estimation.law_mismatch = law_mismatch(model_.pairs(), bodies);
+      boundary_cost_ += estimation.boundary_cost();
+    }
+    const Stopwatch watch(reference_seconds_);
     StepEstimate result{estimation.discretisation(), estimation.bound(), {}, {}, {}};
     const auto norms = true_error(bodies);
     if (!norms || !(norms->exact > 0.) || !(norms->error > 0.))

@@ -59,10 +59,7 @@ namespace abut
         result[cell->active_cell_index()] = cell->level();
       return result;
     }
-  } // namespace
 
-  namespace
-  {
     constexpr unsigned int n_stress_values = 5; // xx, yy, xy, zz, von Mises
 
     std::array<double, n_stress_values> stress_values(const Stress &s)
@@ -105,7 +102,7 @@ namespace abut
         auto stress = better.begin();
         for (const auto &cell : dof_handler_.active_cell_iterators())
         {
-          values.reinit(cell);
+          values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(cell)); // one component of five
           Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
           Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, n_stress_values);
           for (const unsigned int q : values.quadrature_point_indices())

@@ -46,10 +46,13 @@ namespace abut
         throw UserError(
             "Adaptation/Limit: received `0` with Marking = threshold, which splits the cells above "
             "the limit; allowed are numbers above 0");
-      if (parameters.estimate_steps > 0 &&
-          (parameters.estimator != EstimatorKind::fe_be || parameters.combined))
-        throw UserError("Adaptation/Estimate steps: received `" + std::to_string(parameters.estimate_steps) +
-                        "`, allowed is 0 but with Estimator = fe-be and Combined = false");
+      const bool by_law = parameters.estimator == EstimatorKind::fe_be && !parameters.combined &&
+                          parameters.boundary_solution != BoundarySolution::finite_element_trace;
+      if (parameters.estimate_steps > 0 && !by_law)
+        throw UserError(
+            "Adaptation/Estimate steps: received `" + std::to_string(parameters.estimate_steps) +
+            "`, allowed is 0 but with Estimator = fe-be, Combined = false and a Boundary solution "
+            "other than finite element trace");
       if (!parameters.combined)
         return;
       if (parameters.estimator == EstimatorKind::none)
@@ -71,7 +74,9 @@ namespace abut
         "zz: against nodal averages of the stress, not for values at degree 2. spr: against polynomials "
         "fitted to the stress "
         "around each vertex and to the known boundary tractions. fe-be: against boundary elements on the "
-        "edges of the mesh, which get the same data (the paper); bodies with straight edges.");
+        "edges of the mesh, which get the same data (the paper); bodies whose cells have straight edges "
+        "(degree 1 "
+        "on curved shapes), uniform body forces, no forces at points.");
     prm.declare_entry(
         "Boundary solution", "trace space", Patterns::Selection(words_of(boundary_solutions)),
         "Boundary elements of the estimator fe-be for finite elements of degree p. trace space: "
@@ -80,7 +85,8 @@ namespace abut
         "tractions of degree p - 1, nothing recovered (the paper to the letter). reference quality: "
         "displacements of degree p + 1. finite element trace: no boundary elements are solved, displacements "
         "and reactions of the finite elements enter the representation formula (cheap; no independent "
-        "check near nu = 1/2).");
+        "check near nu = 1/2). trace space and reference quality split edges towards vertices with infinite "
+        "stress, the others do not. Without fe-be this has no meaning.");
     prm.declare_entry(
         "Normalisation", "rms", Patterns::Selection(words_of(normalisations)),
         "How eta relates the stress error of a cell to the mean stress of its body. rms: root of "
@@ -112,10 +118,10 @@ namespace abut
         "Iteration error allowed in each pass, as a share of the estimated discretisation error "
         "(energy norm, stopping rule bound, no side with a resultant). No unit. 0: "
         "Decomposition/Tolerance in each pass.");
-    prm.declare_entry(
-        "Estimate steps", "0", Patterns::Integer(0),
-        "With fe-be: discretisation and iteration error together are estimated at every n-th step of the "
-        "decomposition, for history.csv. 0: at the end of each pass only.");
+    prm.declare_entry("Estimate steps", "0", Patterns::Integer(0),
+                      "With fe-be and the scheme neumann: discretisation and iteration error together are "
+                      "estimated at every "
+                      "n-th step of the decomposition, for history.csv. 0: at the end of each pass only.");
     prm.declare_entry(
         "Combined", "false", Patterns::Bool(),
         "true: one decomposition step and one adaptation step a pass, as in the paper, until the "

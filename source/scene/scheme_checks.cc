@@ -40,11 +40,24 @@ namespace abut
                           "/Penalty coefficient: received `0`, allowed are numbers above 0: exact contact is "
                           "beyond the scheme neumann, Decomposition/Scheme = newton or conjugate solve it");
     }
+
+    void check_estimated_steps(const Scene &scene)
+    {
+      const bool gives_a_force =
+          std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                      [](const BodyDescription &body) { return count_resultants(body) > 0; });
+      if (scene.adaptation.estimate_steps > 0 &&
+          (scene.decomposition.scheme != SchemeKind::neumann || gives_a_force))
+        throw UserError("Adaptation/Estimate steps: received `" +
+                        std::to_string(scene.adaptation.estimate_steps) +
+                        "`, allowed is 0 but with Decomposition/Scheme = neumann and without a resultant");
+    }
   } // namespace
 
   void check_scheme(const Scene &scene)
   {
     check_number_of_resultants(scene);
+    check_estimated_steps(scene);
     if (scene.decomposition.scheme == SchemeKind::neumann)
     {
       check_exact_contact(scene);

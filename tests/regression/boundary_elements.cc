@@ -107,6 +107,7 @@ TEST(BoundaryElements, BoundsTheErrorOfEveryStep)
     const double exact = pass["true_error_energy"];
     EXPECT_NEAR(pass["error_discretisation"].get<double>() / exact, 1., .1) << "penalty " << c.penalty;
     EXPECT_LT(pass["error_total"].get<double>() / exact, 1.6) << "penalty " << c.penalty;
+    EXPECT_EQ(sum_over_passes(answer, "bem_models"), 2.); // made by the first step, kept by the others
     // Far from the limit b tells of the iteration.
     EXPECT_TRUE(std::any_of(b.begin(), b.end(), [](const double ratio) { return ratio > 5.; }));
   }

@@ -55,6 +55,12 @@ TEST(SceneAdaptation, refuses_what_does_not_fit)
   expect_refused({"Adaptation/Boundary solution=collocation"}, "Boundary solution");
   expect_refused({estimator, "Adaptation/Estimate steps=1"},
                  "Adaptation/Estimate steps: received `1`, allowed is 0 but with Estimator = fe-be");
+  expect_refused({"Adaptation/Estimator=fe-be", "Adaptation/Boundary solution=finite element trace",
+                  "Adaptation/Estimate steps=1"},
+                 "a Boundary solution other than finite element trace");
+  expect_refused(
+      {"Adaptation/Estimator=fe-be", "Decomposition/Scheme=newton", "Adaptation/Estimate steps=2"},
+      "Adaptation/Estimate steps: received `2`, allowed is 0 but with Decomposition/Scheme = neumann");
   expect_refused({"Adaptation/Marking=all"}, "Marking");
   expect_refused({"Adaptation/Normalisation=l2"}, "Normalisation");
   expect_refused({"Adaptation/Fraction=0"},

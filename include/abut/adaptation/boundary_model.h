@@ -4,6 +4,8 @@
 #include <abut/adaptation/boundary_data.h>
 #include <abut/bem/interior_stress.h>
 
+#include <memory>
+
 namespace abut
 {
   /**

@@ -4,6 +4,7 @@
 #include <abut/adaptation/boundary_model.h>
 
 #include <map>
+#include <memory>
 #include <mutex>
 
 namespace abut

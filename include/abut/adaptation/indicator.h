@@ -26,6 +26,19 @@ namespace abut
     double assemble = 0.;    ///< operators and factors; zero where those of the mesh were there already
     double solve = 0.;       ///< right side and solution
     double evaluate = 0.;    ///< stress at the points
+
+    double seconds() const { return assemble + solve + evaluate; }
+    /// Of several bodies or estimates.
+    BoundaryCost &operator+=(const BoundaryCost &other)
+    {
+      elements += other.elements;
+      unknowns += other.unknowns;
+      models += other.models;
+      assemble += other.assemble;
+      solve += other.solve;
+      evaluate += other.evaluate;
+      return *this;
+    }
   };
 
   /// Estimated errors of a body's stress sigma_F, by active cell index.

@@ -31,6 +31,7 @@ namespace abut
     double energy_norm() const;                 ///< of the better stress (or sigma_F), all bodies
     double stress() const;                      ///< the same in L2 over xx, yy, zz and twice xy
     double stress_error() const;                ///< not relative
+    BoundaryCost boundary_cost() const;         ///< of all bodies
     /// The largest eta of the bodies that adapt; of all where none does.
     double eta_max(const Scene &scene) const;
   };

@@ -91,6 +91,7 @@ namespace abut
     /// it tells of discretisation and iteration together: with boundary elements and a penalty. Else it
     /// refers to those that the displacement answers; also in the combined algorithm, as in the paper.
     bool estimates_by_law() const;
+    void count_boundary_elements(const BoundaryCost &cost, Results &results);
     PassRecord record_pass(const std::optional<CarriedState> &carried, Results &results) const;
     /// Whether no further mesh is to be made; then `results.adaptation_end` says why, in a scene that adapts.
     bool is_last_pass(Results &results) const;

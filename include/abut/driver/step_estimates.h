@@ -22,6 +22,12 @@ namespace abut
     /// Empty where the step's displacement is no field (the paper's literal guess).
     std::optional<StepEstimate> at(const StepRecord &record);
 
+    /// What all of them have cost: seconds of the estimates, of comparing with the exact solution, and the
+    /// boundary elements' part.
+    double estimate_seconds() const { return estimate_seconds_; }
+    double reference_seconds() const { return reference_seconds_; }
+    const BoundaryCost &boundary_cost() const { return boundary_cost_; }
+
   private:
     std::vector<BodyResult> bodies_at(const StepRecord &record) const;
     /// Energy norm of the error, and of the exact stress.
@@ -36,5 +42,7 @@ namespace abut
     const Indicator *indicator_;
     const ExactSolution *exact_;
     std::vector<std::vector<Stress>> exact_stresses_; ///< of every body, once asked for
+    double estimate_seconds_ = 0., reference_seconds_ = 0.;
+    BoundaryCost boundary_cost_;
   };
 } // namespace abut

@@ -26,8 +26,8 @@ namespace abut
   {
     ErrorSquares whole;
     ErrorSquares boundary;    ///< cells with an edge on the boundary
-    ErrorSquares contact_end; ///< cells at the last node with contact pressure, and their neighbours
-    ErrorSquares interior;    ///< all others
+    ErrorSquares contact_end; ///< cells within one and a half diameters of the edge where contact ends
+    ErrorSquares interior;    ///< cells without one
     bool has_better = false;  ///< the indicator has a better stress
     double pearson = 0.;      ///< correlation of estimated and true cell errors
     double spearman = 0.;     ///< and of their ranks

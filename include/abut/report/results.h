@@ -23,7 +23,7 @@ namespace abut
   {
     double mesh = 0., assemble = 0., factorise = 0., solve = 0., interface = 0., estimate = 0., adapt = 0.,
            output = 0.;
-    double bem = 0.;       ///< boundary elements: a part of `estimate`
+    double bem = 0.;       ///< boundary elements, added up over bodies that are computed side by side
     double reference = 0.; ///< comparing with the exact solution
   };
 
