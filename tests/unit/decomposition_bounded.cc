@@ -2,10 +2,12 @@
 // Small problems with bounds against all their active sets.
 #include <abut/decomposition/nonnegative_fit.h>
 #include <abut/decomposition/projected_gradients.h>
+#include <abut/user_error.h>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 using namespace abut;
@@ -68,6 +70,35 @@ TEST(DecompositionBounded, ProjectedGradientsFindTheMinimum)
     Eigen::VectorXd start = Eigen::VectorXd::Constant(n_unknowns, 1.);
     EXPECT_FALSE(ProjectedGradients(problem).solve(1e-12, 2, few, start, {}));
   }
+}
+
+TEST(DecompositionBounded, TheLastProductCounts)
+{
+  // One unknown: one product for the gradient, one for the step that ends in the minimum.
+  const auto product = [](const Eigen::VectorXd &x) -> Eigen::VectorXd { return 2. * x; };
+  const BoundedProblem problem{product, Eigen::VectorXd::Constant(1, -2.), 2.};
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+  unsigned int products = 0;
+  EXPECT_TRUE(ProjectedGradients(problem).solve(1e-12, 2, products, x, {}));
+  EXPECT_EQ(products, 2u);
+  EXPECT_DOUBLE_EQ(x[0], 1.);
+}
+
+TEST(DecompositionBounded, NoPositiveCurvatureIsRefused)
+{
+  for (const double curvature :
+       {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const double start : {0., 1.}) // at the bound and off it
+    {
+      const auto product = [&](const Eigen::VectorXd &x) -> Eigen::VectorXd {
+        return x.isZero(0.) ? x : Eigen::VectorXd(curvature * x);
+      };
+      const BoundedProblem problem{product, Eigen::VectorXd::Constant(1, -2.), 1.};
+      Eigen::VectorXd x = Eigen::VectorXd::Constant(1, start);
+      unsigned int products = 0;
+      EXPECT_THROW(ProjectedGradients(problem).solve(1e-12, 100, products, x, {}), ComputationError)
+          << curvature << ' ' << start;
+    }
 }
 
 TEST(DecompositionBounded, NonnegativeFitIsTheBestOfAllFaces)
