@@ -69,17 +69,6 @@ namespace abut
       Eigen::VectorXd scaling_, softness_;
       Eigen::LDLT<Eigen::MatrixXd> factor_;
     };
-
-    bool is_balanced(const MotionTerms &motions, const Eigen::VectorXd &pressures,
-                     const Eigen::VectorXd &amplitudes, const double tolerance)
-    {
-      if (motions.size() == 0)
-        return true;
-      const double scale =
-          motions.force_scale(pressures) + 1e-6 * motions.layer_stiffness.dot(amplitudes.cwiseAbs());
-      return motions.unbalanced(pressures, amplitudes).cwiseAbs().maxCoeff() <=
-             std::max(1e-10, .01 * tolerance) * scale;
-    }
   } // namespace
 
   ConjugateScheme::ConjugateScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
@@ -117,7 +106,7 @@ namespace abut
       SchemeResult result = contact_result(problem_, compliance_, motions_, loads, p, motions,
                                            compliance_.apply(p), parameters_.tolerance);
       result.steps = steps;
-      const bool balanced = is_balanced(motions_, p, motions, parameters_.tolerance);
+      const bool balanced = motions_.is_balanced(p, motions, std::max(1e-10, .01 * parameters_.tolerance));
       if (balanced && result.iteration_error <= parameters_.tolerance)
         return result;
       if (!minimal || outer == most_outer_steps)

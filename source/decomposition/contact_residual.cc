@@ -10,24 +10,24 @@ namespace abut
 {
   namespace
   {
-    /// D_i sum_a 1/E_a
-    Eigen::VectorXd node_softness(const InterfaceProblem &problem)
-    {
-      Eigen::VectorXd result = problem.weights();
-      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-      {
-        const ContactPair &pair = problem.pairs()[i];
-        result.segment(problem.pressure_offset(i), pair.n_multipliers()) *=
-            pair.slave().flexibility / pair.slave().depth + pair.master().flexibility / pair.master().depth;
-      }
-      return result;
-    }
     double largest_gap(const InterfaceProblem &problem, const Eigen::VectorXd &gaps)
     {
       return gaps.size() > 0 ? (problem.weights().array() > 0.).select(gaps.array().abs(), 0.).maxCoeff()
                              : 0.;
     }
   } // namespace
+
+  Eigen::VectorXd node_softness(const InterfaceProblem &problem)
+  {
+    Eigen::VectorXd result = problem.weights();
+    for (std::size_t i = 0; i < problem.pairs().size(); ++i)
+    {
+      const ContactPair &pair = problem.pairs()[i];
+      result.segment(problem.pressure_offset(i), pair.n_multipliers()) *=
+          pair.slave().flexibility / pair.slave().depth + pair.master().flexibility / pair.master().depth;
+    }
+    return result;
+  }
 
   double contact_residual(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                           const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,

@@ -134,8 +134,9 @@ namespace abut
     const Eigen::MatrixXd forces =
         motions.responses(Eigen::seqN(0, problem.n_pressures()), floating).transpose();
     Eigen::VectorXd unbalanced = Eigen::VectorXd::Zero(motions.size());
-    unbalanced(floating) = forces * nonnegative_fit(forces, demand) - demand;
-    if (unbalanced.cwiseAbs().maxCoeff() > balanced * load_size)
+    const NonnegativeFit fit = nonnegative_fit(forces, demand);
+    unbalanced(floating) = forces * fit.x - demand;
+    if (fit.optimal && unbalanced.cwiseAbs().maxCoeff() > balanced * load_size)
       refuse(motions, unbalanced, "no pressures that push balance the loads");
     return held;
   }

@@ -48,6 +48,8 @@ namespace abut
       motions_ = make_motion_terms(problem);
     compliance_ =
         make_compliance(problem, parameters.compliance, expected_solves(parameters, relaxation_, motions_));
+    if (motions_)
+      held_.emplace(problem, *compliance_, *motions_);
   }
 
   SchemeResult InterfaceSolver::solve(const InterfaceProblem::Loads &loads,
@@ -58,17 +60,15 @@ namespace abut
     DecompositionParameters parameters = parameters_;
     if (tolerance && parameters.stopping_rule == StoppingRule::bound)
       parameters.tolerance = *tolerance;
-    switch (parameters_.scheme)
-    {
-    case SchemeKind::newton:
-      return NewtonScheme(problem_, *compliance_, *motions_, parameters).solve(loads, {start, {}}, observer);
-    case SchemeKind::conjugate:
-      return ConjugateScheme(problem_, *compliance_, *motions_, parameters)
-          .solve(loads, {start, {}}, observer);
-    case SchemeKind::neumann:
-      break;
-    }
-    return solve_neumann(loads, start, observer, parameters);
+    if (parameters.scheme == SchemeKind::neumann)
+      return solve_neumann(loads, start, observer, parameters);
+    const InterfaceProblem::Loads opened = held_->opened(loads);
+    InterfaceState state{start, {}};
+    if (state.traction)
+      (*state.traction)(held_->indices()).setZero();
+    if (parameters.scheme == SchemeKind::newton)
+      return NewtonScheme(problem_, *compliance_, *motions_, parameters).solve(opened, state, observer);
+    return ConjugateScheme(problem_, *compliance_, *motions_, parameters).solve(opened, state, observer);
   }
 
   SchemeResult InterfaceSolver::solve_neumann(const InterfaceProblem::Loads &loads,

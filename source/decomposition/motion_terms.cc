@@ -2,6 +2,7 @@
 #include <abut/decomposition/motion_terms.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace abut
 {
@@ -39,6 +40,15 @@ namespace abut
   {
     const Eigen::VectorXd sums = gaps.cwiseAbs().transpose() * pressures.cwiseAbs();
     return size() > 0 ? std::max(loads.cwiseAbs().maxCoeff(), sums.maxCoeff()) : 0.;
+  }
+
+  bool MotionTerms::is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
+                                const double share) const
+  {
+    constexpr double round_off = 100. * std::numeric_limits<double>::epsilon();
+    return size() == 0 ||
+           unbalanced(pressures, amplitudes).cwiseAbs().maxCoeff() <=
+               share * force_scale(pressures) + round_off * layer_stiffness.dot(amplitudes.cwiseAbs());
   }
 
   MotionTerms make_motion_terms(const InterfaceProblem &problem)

@@ -97,13 +97,12 @@ namespace abut
     };
     const bool bounded =
         motions.size() == 0 && problem.n_pressures() > 0 && (problem.penalties().array() > 0.).all();
-    result.stopped_by = StoppedBy::bound;
-    result.iteration_error = bounded ? error(true) : tolerance + 1.;
-    if (result.iteration_error > tolerance)
-    {
-      result.stopped_by = StoppedBy::residual;
+    if (bounded)
+      result.iteration_error = error(true);
+    result.error_is_bound = bounded && result.iteration_error <= tolerance;
+    if (!result.error_is_bound)
       result.iteration_error = error(false);
-    }
+    result.stopped_by = result.error_is_bound ? StoppedBy::bound : StoppedBy::residual;
     return result;
   }
 

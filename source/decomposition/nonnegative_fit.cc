@@ -38,31 +38,56 @@ namespace abut
       chosen = kept;
       return whole;
     }
+
+    Eigen::VectorXd fit_on(const std::vector<Index> &chosen, const Eigen::MatrixXd &matrix,
+                           const Eigen::VectorXd &right_side)
+    {
+      const Eigen::MatrixXd columns = matrix(Eigen::all, chosen);
+      return columns.colPivHouseholderQr().solve(right_side);
+    }
+
+    /// The fit on the chosen columns and a new one. False, with nothing changed, where the new one would not
+    /// become positive.
+    bool fit_with(const Index column, const Eigen::MatrixXd &matrix, const Eigen::VectorXd &right_side,
+                  std::vector<Index> &chosen, Eigen::VectorXd &x)
+    {
+      chosen.push_back(column);
+      Eigen::VectorXd goal = fit_on(chosen, matrix, right_side);
+      if (!(goal[goal.size() - 1] > 0.))
+      {
+        chosen.pop_back();
+        return false;
+      }
+      while (!move_towards(goal, chosen, x) && !chosen.empty())
+        goal = fit_on(chosen, matrix, right_side);
+      return true;
+    }
   } // namespace
 
-  Eigen::VectorXd nonnegative_fit(const Eigen::MatrixXd &matrix, const Eigen::VectorXd &right_side)
+  NonnegativeFit nonnegative_fit(const Eigen::MatrixXd &matrix, const Eigen::VectorXd &right_side)
   {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(matrix.cols());
-    std::vector<Index> chosen;
+    constexpr double barred = -std::numeric_limits<double>::infinity();
+    NonnegativeFit fit{Eigen::VectorXd::Zero(matrix.cols())};
+    if (matrix.size() == 0)
+      return fit;
+    Eigen::VectorXd &x = fit.x;
+    std::vector<Index> chosen, left_at_once;
     const double small =
         1e-13 * matrix.cwiseAbs().colwise().sum().maxCoeff() * right_side.cwiseAbs().maxCoeff();
     for (Index step = 0; step < 3 * matrix.cols(); ++step)
     {
       Eigen::VectorXd ascent = matrix.transpose() * (right_side - matrix * x);
-      for (const Index i : chosen)
-        ascent[i] = -std::numeric_limits<double>::infinity();
+      ascent(chosen).setConstant(barred);
+      ascent(left_at_once).setConstant(barred);
       Index best = 0;
-      if (matrix.cols() == 0 || !(ascent.maxCoeff(&best) > small))
-        break;
-      chosen.push_back(best);
-      do
-      {
-        const Eigen::MatrixXd columns = matrix(Eigen::all, chosen);
-        const Eigen::VectorXd goal = columns.colPivHouseholderQr().solve(right_side);
-        if (move_towards(goal, chosen, x))
-          break;
-      } while (!chosen.empty());
+      if (!(ascent.maxCoeff(&best) > small))
+        return fit;
+      if (fit_with(best, matrix, right_side, chosen, x))
+        left_at_once.clear();
+      else // its ascent was round-off
+        left_at_once.push_back(best);
     }
-    return x;
+    fit.optimal = false;
+    return fit;
   }
 } // namespace abut

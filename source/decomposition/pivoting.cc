@@ -15,7 +15,8 @@ namespace abut
     constexpr double first_softness = 1e-6;     // eps of the proximal steps, of the layers' stiffness
     constexpr double smallest_softness = 1e-12; //
     constexpr int most_proximal_steps = 12;
-    constexpr double in_balance = 1e-14; // of the forces
+    constexpr double in_balance = 1e-14;      // of the forces: no further proximal step
+    constexpr double balanced_enough = 1e-10; // of the forces, after the last one
 
     ActiveSet indices(const std::vector<bool> &active)
     {
@@ -138,9 +139,8 @@ namespace abut
           return result;
         if (++proximal_steps == most_proximal_steps)
         {
-          result.balanced = force.cwiseAbs().maxCoeff() <=
-                            1e-10 * (motions_.force_scale(result.state.pressures) +
-                                     motions_.layer_stiffness.dot(result.state.motions.cwiseAbs()));
+          result.balanced =
+              motions_.is_balanced(result.state.pressures, result.state.motions, balanced_enough);
           return result;
         }
         before = result.state.motions;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/projected_gradients.h>
+#include <abut/user_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,18 @@ namespace abut
           step = std::min(step, x[i] / direction[i]);
       return step;
     }
+
+    /// v . Q v of a direction and its image.
+    double positive_curvature(const Eigen::VectorXd &direction, const Eigen::VectorXd &image)
+    {
+      const double curvature = direction.dot(image);
+      if (!(curvature > 0.) || !std::isfinite(curvature))
+        throw ComputationError(
+            "The scheme conjugate has met pressures that deform no body, or no numbers: the interface "
+            "compliance is not positive definite; let the contact sides end before held nodes, or give the "
+            "contacts a small Penalty coefficient");
+      return curvature;
+    }
   } // namespace
 
   bool ProjectedGradients::solve(const double tolerance, const unsigned int most_products,
@@ -42,16 +55,18 @@ namespace abut
     };
     Eigen::VectorXd gradient = product(x) + problem_.linear;
     Eigen::VectorXd direction = free_gradient(x, gradient);
-    while (n_products < most_products)
+    for (;;)
     {
       const Eigen::VectorXd inner = free_gradient(x, gradient), outer = bound_gradient(x, gradient);
       if ((inner + outer).norm() <= tolerance)
         return true;
+      if (n_products >= most_products)
+        return false;
       const Eigen::VectorXd reduced = inner.cwiseMin(x / fixed_step);
       if (outer.squaredNorm() > reduced.dot(inner)) // proportioning
       {
         const Eigen::VectorXd image = product(outer);
-        const double step = gradient.dot(outer) / outer.dot(image);
+        const double step = gradient.dot(outer) / positive_curvature(outer, image);
         x -= step * outer;
         gradient -= step * image;
         direction = free_gradient(x, gradient);
@@ -59,7 +74,7 @@ namespace abut
       else
       {
         const Eigen::VectorXd image = product(direction);
-        const double curvature = direction.dot(image), longest = feasible_step(x, direction);
+        const double curvature = positive_curvature(direction, image), longest = feasible_step(x, direction);
         const double step = gradient.dot(direction) / curvature;
         if (step <= longest) // conjugate gradients
         {
@@ -80,7 +95,6 @@ namespace abut
       if (observer)
         observer(x);
     }
-    return false;
   }
 
   double rough_norm(const std::function<Eigen::VectorXd(const Eigen::VectorXd &)> &product,

@@ -70,8 +70,7 @@ namespace abut
         out << ", gamma = " << short_number(iteration.relaxation, 3);
       out << ".\n";
       if (std::isfinite(iteration.iteration_error))
-        out << "  Iteration error (energy norm) "
-            << (iteration.stopped_by == StoppedBy::residual ? "about " : "at most ")
+        out << "  Iteration error (energy norm) " << (iteration.error_is_bound ? "at most " : "about ")
             << short_number(iteration.iteration_error, 3) << " of the solution.\n";
       if (const auto &limit = results.limit_distance)
         out << "  What that is worth: contact displacement " << percent(limit->displacement)

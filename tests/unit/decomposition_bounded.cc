@@ -2,10 +2,12 @@
 // Small problems with bounds against all their active sets.
 #include <abut/decomposition/nonnegative_fit.h>
 #include <abut/decomposition/projected_gradients.h>
+#include <abut/user_error.h>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 using namespace abut;
@@ -70,6 +72,35 @@ TEST(DecompositionBounded, ProjectedGradientsFindTheMinimum)
   }
 }
 
+TEST(DecompositionBounded, TheLastProductCounts)
+{
+  // One unknown: one product for the gradient, one for the step that ends in the minimum.
+  const auto product = [](const Eigen::VectorXd &x) -> Eigen::VectorXd { return 2. * x; };
+  const BoundedProblem problem{product, Eigen::VectorXd::Constant(1, -2.), 2.};
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+  unsigned int products = 0;
+  EXPECT_TRUE(ProjectedGradients(problem).solve(1e-12, 2, products, x, {}));
+  EXPECT_EQ(products, 2u);
+  EXPECT_DOUBLE_EQ(x[0], 1.);
+}
+
+TEST(DecompositionBounded, NoPositiveCurvatureIsRefused)
+{
+  for (const double curvature :
+       {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const double start : {0., 1.}) // at the bound and off it
+    {
+      const auto product = [&](const Eigen::VectorXd &x) -> Eigen::VectorXd {
+        return x.isZero(0.) ? x : Eigen::VectorXd(curvature * x);
+      };
+      const BoundedProblem problem{product, Eigen::VectorXd::Constant(1, -2.), 1.};
+      Eigen::VectorXd x = Eigen::VectorXd::Constant(1, start);
+      unsigned int products = 0;
+      EXPECT_THROW(ProjectedGradients(problem).solve(1e-12, 100, products, x, {}), ComputationError)
+          << curvature << ' ' << start;
+    }
+}
+
 TEST(DecompositionBounded, NonnegativeFitIsTheBestOfAllFaces)
 {
   std::mt19937 generator(5);
@@ -78,7 +109,8 @@ TEST(DecompositionBounded, NonnegativeFitIsTheBestOfAllFaces)
     const Eigen::MatrixXd a = random_matrix(9, generator);
     const Eigen::VectorXd b = random_matrix(9, generator).col(0);
     const Eigen::VectorXd expected = best_of_all_faces(a.transpose() * a, -a.transpose() * b);
-    EXPECT_LT((nonnegative_fit(a, b) - expected).norm(), 1e-9 * (1. + expected.norm())) << trial;
+    EXPECT_TRUE(nonnegative_fit(a, b).optimal);
+    EXPECT_LT((nonnegative_fit(a, b).x - expected).norm(), 1e-9 * (1. + expected.norm())) << trial;
   }
 }
 
@@ -87,7 +119,31 @@ TEST(DecompositionBounded, NonnegativeFitOfMoreUnknownsThanEquations)
   std::mt19937 generator(9);
   const Eigen::MatrixXd a = random_matrix(3, generator);
   const Eigen::VectorXd b = a * Eigen::VectorXd::LinSpaced(n_unknowns, 0., 3.); // can be met
-  const Eigen::VectorXd x = nonnegative_fit(a, b);
+  const Eigen::VectorXd x = nonnegative_fit(a, b).x;
   EXPECT_GE(x.minCoeff(), 0.);
   EXPECT_LT((a * x - b).norm(), 1e-12 * b.norm());
+}
+
+TEST(DecompositionBounded, NonnegativeFitOfNothing)
+{
+  const NonnegativeFit fit = nonnegative_fit(Eigen::MatrixXd(3, 0), Eigen::VectorXd::Ones(3));
+  EXPECT_EQ(fit.x.size(), 0);
+  EXPECT_TRUE(fit.optimal);
+}
+
+TEST(DecompositionBounded, NonnegativeFitEndsWithColumnsAlike)
+{
+  // The first columns differ by less than round-off lets the fit tell: they must not be taken for ever, nor
+  // keep the last one from its turn.
+  std::mt19937 generator(7);
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    Eigen::MatrixXd a = random_matrix(9, generator);
+    for (int j = 1; j < n_unknowns - 1; ++j)
+      a.col(j) = 1e3 * (a.col(0) + 1e-14 * a.col(j));
+    const Eigen::VectorXd b = a.col(0) * 1e3 + 1e-4 * a.col(n_unknowns - 1);
+    const NonnegativeFit fit = nonnegative_fit(a, b);
+    EXPECT_TRUE(fit.optimal) << trial;
+    EXPECT_LT((a * fit.x - b).norm(), 1e-7 * b.norm()) << trial;
+  }
 }

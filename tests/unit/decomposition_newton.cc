@@ -191,3 +191,33 @@ TEST(DecompositionNewton, ModelComplianceKeepsIterationsBounded)
   EXPECT_LT(conditions.back(), 50.);
   EXPECT_LT(conditions.back(), 1.3 * conditions.front());
 }
+
+TEST(DecompositionNewton, AnUnfinishedRunGuaranteesNothing)
+{
+  for (const char *const scheme : {"newton", "conjugate"})
+    for (const char *const steps : {"1", "1000"})
+    {
+      const TwoLayers layers(coarse_with({std::string("Decomposition/Scheme=") + scheme,
+                                          std::string("Decomposition/Maximum steps=") + steps}));
+      const SchemeResult result =
+          InterfaceSolver(layers.problem(), layers.parameters()).solve(layers.loads(), {}, {});
+      const bool finished = std::string(steps) != "1";
+      EXPECT_EQ(result.converged(), finished) << scheme;
+      EXPECT_EQ(result.stopped_by, finished ? StoppedBy::bound : StoppedBy::maximum_steps) << scheme;
+      EXPECT_EQ(result.error_is_bound, finished) << scheme;
+    }
+}
+
+TEST(DecompositionNewton, AFarMotionHidesNoImbalance)
+{
+  // One body that falls by 1 on stiff layers: 4 % of its weight is no round-off.
+  MotionTerms motions;
+  motions.gaps = Eigen::MatrixXd::Constant(1, 1, -1.);
+  motions.stiffness = Eigen::MatrixXd::Zero(1, 1);
+  motions.loads = motions.layer_stiffness = Eigen::VectorXd::Ones(1);
+  motions.layer_stiffness *= 1e9;
+  const Eigen::VectorXd amplitudes = Eigen::VectorXd::Ones(1);
+  EXPECT_FALSE(motions.is_balanced(Eigen::VectorXd::Constant(1, .96), amplitudes, 1e-10));
+  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-11), amplitudes, 1e-10));
+  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-6), amplitudes, 1e-10)); // round-off
+}

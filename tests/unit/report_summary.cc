@@ -62,6 +62,22 @@ namespace
     EXPECT_EQ(json["counters"]["bodies"]["upper"]["factorisations"], 1);
   }
 
+  TEST_F(ReportedScene, OnlyABoundIsPrintedAsOne)
+  {
+    results.iteration.stopped_by = StoppedBy::maximum_steps;
+    results.iteration.message = "too few steps";
+    results.iteration.iteration_error = .25;
+    for (const bool is_bound : {true, false})
+    {
+      results.iteration.error_is_bound = is_bound;
+      std::ostringstream out;
+      print_results(out, results, "here", 2.);
+      EXPECT_NE(out.str().find(is_bound ? "(energy norm) at most 0.25" : "(energy norm) about 0.25"),
+                std::string::npos)
+          << out.str();
+    }
+  }
+
   TEST_F(ReportedScene, WhatIsUnknownIsNull)
   {
     results.pairs[0].min_gap = std::numeric_limits<double>::infinity();

@@ -5,6 +5,9 @@
 
 namespace abut
 {
+  /// beta_i = D_i sum_a 1/E_a: what half-planes yield under a load as wide as a node.
+  Eigen::VectorXd node_softness(const InterfaceProblem &problem);
+
   /**
    * What is left of the contact law, as an iteration error: with w = g + theta p and the pressures t = p -
    * max(0, p - w / (theta + beta)), the energy norm sqrt(t . C t) of the displacement that t makes, by the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/decomposition/held_nodes.h>
 #include <abut/decomposition/initial_guess.h>
 #include <abut/decomposition/motion_terms.h>
 #include <abut/decomposition/scheme.h>
@@ -23,7 +24,8 @@ namespace abut
     InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters);
 
     /// Begins from `start` where given, else from the scene's initial guess. Where the
-    /// stopping rule is the bound, `tolerance` takes the place of the scene's.
+    /// stopping rule is the bound, `tolerance` takes the place of the scene's. Throws ComputationError where
+    /// supports press held nodes into each other (see HeldNodes).
     SchemeResult solve(const InterfaceProblem::Loads &loads, const std::optional<Eigen::VectorXd> &start,
                        const StepObserver &observer, const std::optional<double> &tolerance = {}) const;
 
@@ -45,5 +47,6 @@ namespace abut
     double relaxation_ = 0.;             ///< of the parallel Neumann scheme
     std::optional<MotionTerms> motions_; ///< of the others
     std::unique_ptr<InterfaceCompliance> compliance_;
+    std::optional<HeldNodes> held_; ///< with motions_
   };
 } // namespace abut

@@ -26,6 +26,8 @@ namespace abut
     }
     /// The size of the forces that have to balance.
     double force_scale(const Eigen::VectorXd &pressures) const;
+    /// Whether all balance to `share` of the forces, and the round-off of the motions in elastic layers.
+    bool is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes, double share) const;
   };
 
   /// Throws UserError where contact cannot hold what the loads push (see held_motions).

@@ -27,7 +27,8 @@ namespace abut
     explicit ProjectedGradients(const BoundedProblem &problem) : problem_(problem) {}
 
     /// Improves x until the projected gradient is at most `tolerance`; returns whether it is, after at most
-    /// `most_products`. `n_products` counts on; `observer` is told of every iterate.
+    /// `most_products`. `n_products` counts on; `observer` is told of every iterate. Throws
+    /// ComputationError where Q turns out not to be positive definite, or no matrix of numbers.
     bool solve(double tolerance, unsigned int most_products, unsigned int &n_products, Eigen::VectorXd &x,
                const std::function<void(const Eigen::VectorXd &)> &observer) const;
 

@@ -58,11 +58,12 @@ namespace abut
     Eigen::VectorXd motions;
     unsigned int steps = 0;
     StoppedBy stopped_by = StoppedBy::maximum_steps;
-    /// Stopped by `residual`: an algebraic error, see contact_residual. Else: ||u - u_theta||_A is at most
-    /// this times the smaller of ||u||_A and the norm of the part of u that contact makes (energy norm, same
-    /// mesh). NaN where there is no bound; after the increment rule it belongs to the iterate before the
-    /// last, which for gamma < gamma* is no better.
+    /// Where `error_is_bound`: ||u - u_theta||_A is at most this times the smaller of ||u||_A and the norm of
+    /// the part of u that contact makes (energy norm, same mesh). NaN where there is no bound; after the
+    /// increment rule it belongs to the iterate before the last, which for gamma < gamma* is no better.
     double iteration_error = std::numeric_limits<double>::quiet_NaN();
+    /// False: `iteration_error` is an algebraic error, see contact_residual, whatever stopped the scheme.
+    bool error_is_bound = true;
     double increment = 0.;
     double relaxation = 0.; ///< gamma
     /// One sentence with cause and way out; empty when converged.
