@@ -130,12 +130,15 @@ namespace abut
           ActiveSetMethod(problem_, *contact, motions_, accuracy, parameters_.maximum_steps)
               .solve(loads.response.head(problem_.n_pressures()), pressures, motions, count_on);
       steps += pivots.steps;
-      SchemeResult result =
-          contact_result(problem_, compliance_, motions_, loads, pivots.state.pressures, pivots.state.motions,
-                         pivots.state.response, parameters_.tolerance);
+      const std::string message = failure(pivots, parameters_);
+      // An unfinished state may pull: what is reported answers the pressures that push.
+      const Eigen::VectorXd response =
+          message.empty() ? pivots.state.response : compliance_.apply(pivots.state.pressures.cwiseMax(0.));
+      SchemeResult result = contact_result(problem_, compliance_, motions_, loads, pivots.state.pressures,
+                                           pivots.state.motions, response, parameters_.tolerance);
       result.steps = steps;
       result.increment = report.increment();
-      result.message = failure(pivots, parameters_);
+      result.message = message;
       if (!result.message.empty())
         result.stopped_by = pivots.too_many ? StoppedBy::maximum_steps : StoppedBy::stalled;
       if (!result.message.empty() || result.iteration_error <= parameters_.tolerance)

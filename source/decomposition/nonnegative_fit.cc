@@ -77,8 +77,9 @@ namespace abut
     for (Index step = 0; step < 3 * matrix.cols(); ++step)
     {
       Eigen::VectorXd ascent = matrix.transpose() * (right_side - matrix * x);
-      ascent(chosen).setConstant(barred);
-      ascent(left_at_once).setConstant(barred);
+      for (const auto *const indices : {&chosen, &left_at_once})
+        for (const Index i : *indices)
+          ascent[i] = barred;
       Index best = 0;
       if (!(ascent.maxCoeff(&best) > small))
         return fit;

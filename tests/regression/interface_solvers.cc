@@ -205,12 +205,17 @@ namespace
 
 TEST(InterfaceSolvers, TouchingWithoutForce)
 {
-  for (const Answer &answer : {run_scene("disc-between-plates", block("0, 0")),
-                               run_scene("v-groove", {"Body disc/Body force=0, 0"})})
+  for (const std::string scheme : {"Decomposition/Scheme=newton", "Decomposition/Scheme=conjugate"})
   {
-    ASSERT_EQ(answer.status, 0) << answer.err;
-    for (const auto &pair : answer.summary["contacts"])
-      EXPECT_LT(pair["normal_force"].get<double>(), 1e-9);
+    std::vector<std::string> weightless_block = block("0, 0");
+    weightless_block.push_back(scheme);
+    for (const Answer &answer : {run_scene("disc-between-plates", weightless_block),
+                                 run_scene("v-groove", {"Body disc/Body force=0, 0", scheme})})
+    {
+      ASSERT_EQ(answer.status, 0) << scheme << ": " << answer.err;
+      for (const auto &pair : answer.summary["contacts"])
+        EXPECT_LT(pair["normal_force"].get<double>(), 1e-9) << scheme;
+    }
   }
 }
 

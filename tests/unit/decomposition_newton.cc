@@ -192,6 +192,23 @@ TEST(DecompositionNewton, ModelComplianceKeepsIterationsBounded)
   EXPECT_LT(conditions.back(), 1.3 * conditions.front());
 }
 
+TEST(DecompositionNewton, TouchingWithoutForce)
+{
+  // The upper layer floats, touches and carries nothing.
+  for (const char *const scheme : {"newton", "conjugate"})
+    for (const char *const c : {"1e-3", "0"})
+    {
+      const TwoLayers layers(
+          coarse_with({std::string("Decomposition/Scheme=") + scheme, "Contact interface/Gap=0",
+                       "Body upper/Conditions=left: normal displacement: 0",
+                       std::string("Contact interface/Penalty coefficient=") + c}));
+      const SchemeResult result =
+          InterfaceSolver(layers.problem(), layers.parameters()).solve(layers.loads(), {}, {});
+      EXPECT_TRUE(result.converged()) << scheme << ' ' << c << ": " << result.message;
+      EXPECT_LT(result.traction.maxCoeff(), 1e-9) << scheme << ' ' << c;
+    }
+}
+
 TEST(DecompositionNewton, AnUnfinishedRunGuaranteesNothing)
 {
   for (const char *const scheme : {"newton", "conjugate"})
