@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "program.h"
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -78,11 +79,10 @@ TEST(InterfaceSolvers, ExactContactOnNonmatchingMeshes)
   EXPECT_NEAR(normal_force(answer, "interface"), 133.8364523567, 3e-4 * 133.8);
   const auto x = column(answer.directory + "/contact_interface.csv", "x");
   const auto p = column(answer.directory + "/contact_interface.csv", "pressure");
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (x[i] == 0.)
-    {
-      EXPECT_NEAR(p[i], 172.0703323845, 2e-3 * 172.07);
-    }
+  const auto middle =
+      std::find_if(x.begin(), x.end(), [](const double place) { return std::abs(place) < 1e-12; });
+  ASSERT_NE(middle, x.end());
+  EXPECT_NEAR(p[static_cast<std::size_t>(middle - x.begin())], 172.0703323845, 2e-3 * 172.07);
   EXPECT_LE(answer.summary["true_error"]["pressure"].get<double>(), .01);
   // The stress of the bodies' response to the exact pressure is off by 1.4 % on these meshes, norm with zz.
   EXPECT_LE(answer.summary["true_error"]["stress"].get<double>(), .014);
@@ -184,7 +184,7 @@ TEST(InterfaceSolvers, APileOfThreeDiscs)
   }
   EXPECT_NEAR(contact(answer, "left-on-floor")["force"][1].get<double>() +
                   contact(answer, "right-on-floor")["force"][1].get<double>(),
-              -3. * weight, 1e-2 * weight);
+              -3. * weight, 1e-9 * weight); // all that carries vertical loads is the straight floor
   expect_all_in_balance(answer);
 }
 
