@@ -21,15 +21,6 @@ namespace abut
       return Vector2(element.direction.imag(), -element.direction.real());
     }
 
-    /// The traction's part along directions that are not supported.
-    Vector2 unsupported_part(const std::vector<Vector2> &supported, const Vector2 &traction)
-    {
-      if (supported.size() == 2)
-        return Vector2::Zero();
-      return supported.empty() ? traction
-                               : Vector2(traction - traction.dot(supported.front()) * supported.front());
-    }
-
     /// Scaled as boundary elements see it: force times length by the shear modulus.
     Vector2 scaled_body_force(const Body &body, const BoundarySpace &space)
     {
@@ -96,7 +87,7 @@ namespace abut
     for (Index j = 0; j < moments.rows(); ++j)
     {
       const auto p = legendre_values(2. * basis.nodes()[j] - 1.);
-      const Vector2 moment = unsupported_part(supported_[element], moments.row(j).transpose()) / unit;
+      const Vector2 moment = free_part(supported_[element], moments.row(j).transpose()) / unit;
       for (unsigned int k = 0; k <= load_degree_; ++k)
         for (Index component = 0; component < 2; ++component)
           traction[component * n + static_cast<Index>(element) * n_each + k] +=
@@ -125,8 +116,8 @@ namespace abut
     for (std::size_t element = 0; element < supported_.size(); ++element)
     {
       const Vector2 at_start = traction(element, -1.), at_end = traction(element, 1.),
-                    free_start = unsupported_part(supported_[element], at_start),
-                    free_end = unsupported_part(supported_[element], at_end);
+                    free_start = free_part(supported_[element], at_start),
+                    free_end = free_part(supported_[element], at_end);
       add(element, -free_start, -free_end, prescribed_);
       add(element, at_start - free_start, at_end - free_end, uniform_support_);
     }

@@ -81,10 +81,8 @@ namespace abut
     /// The prescribed traction at s without what supports carry.
     Vector2 traction(const SideConditions &conditions, const double s) const
     {
-      Vector2 sum = conditions.traction(boundary, side->point(*segment, s), chord_normal(*segment));
-      for (const Vector2 &direction : supported)
-        sum -= sum.dot(direction) * direction;
-      return sum;
+      return free_part(supported,
+                       conditions.traction(boundary, side->point(*segment, s), chord_normal(*segment)));
     }
   };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bem/boundary_problem.h>
+#include <abut/elasticity/side_conditions.h>
 #include <abut/user_error.h>
 
 #include <Eigen/SVD>
@@ -36,16 +37,6 @@ namespace abut
         const double sign = directions.front().dot(added.front()) < 0. ? -1. : 1.;
         directions.front() = (directions.front() + sign * added.front()).normalized();
       }
-    }
-
-    /// The directions that are left free by orthonormal or single supports.
-    Directions free_directions(const Directions &supported)
-    {
-      if (supported.empty())
-        return {Vector2::UnitX(), Vector2::UnitY()};
-      if (supported.size() == 2)
-        return {};
-      return {Vector2(-supported.front().y(), supported.front().x())};
     }
 
     /// The nodes of every hole: of the curves that run clockwise.

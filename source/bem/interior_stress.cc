@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <thread>
+#include <tbb/parallel_for.h>
 
 namespace abut
 {
@@ -54,15 +52,6 @@ namespace abut
         }
       return densities;
     }
-
-    /// As many threads as have at least a few milliseconds to work.
-    std::size_t stress_threads(const std::size_t n_points, const std::size_t n_elements)
-    {
-      constexpr std::size_t least_work = 400000; // points times elements
-      const std::size_t n_tiles = (n_points + stress_tile - 1) / stress_tile;
-      const std::size_t useful = std::min(n_tiles, n_points * n_elements / least_work);
-      return std::max<std::size_t>(1, std::min<std::size_t>(std::thread::hardware_concurrency(), useful));
-    }
   } // namespace
 
   InteriorStress::InteriorStress(const std::vector<BoundaryElement> &elements, const BoundaryValues &values,
@@ -88,25 +77,11 @@ namespace abut
   std::vector<Stress> InteriorStress::at(const std::vector<Complex> &points) const
   {
     std::vector<Stress> stresses(points.size());
-    std::atomic<std::size_t> next(0);
-    const auto work = [&] {
-      for (std::size_t first; (first = next.fetch_add(stress_tile)) < points.size();)
-        evaluate(&points[first], std::min(stress_tile, points.size() - first), &stresses[first]);
-    };
-    std::vector<std::thread> others(stress_threads(points.size(), n_elements_) - 1);
-    try
-    {
-      for (std::thread &thread : others)
-        thread = std::thread(work);
-    }
-    catch (const std::system_error &)
-    {
-      // The system grants no more threads; those there are do it all.
-    }
-    work();
-    for (std::thread &thread : others)
-      if (thread.joinable())
-        thread.join();
+    const std::size_t n_tiles = (points.size() + stress_tile - 1) / stress_tile;
+    tbb::parallel_for(std::size_t(0), n_tiles, [&](const std::size_t tile) {
+      const std::size_t first = tile * stress_tile;
+      evaluate(&points[first], std::min(stress_tile, points.size() - first), &stresses[first]);
+    });
     return stresses;
   }
 

@@ -57,10 +57,11 @@ namespace abut
       Eigen::VectorXd diagonal_, with_penalty_;
     };
 
-    class DenseOperator : public PressureOperator
+    /// The compliance of the bodies themselves.
+    class BodiesOperator : public PressureOperator
     {
     public:
-      DenseOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
+      BodiesOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
           : problem_(problem), compliance_(compliance)
       {}
 
@@ -68,6 +69,17 @@ namespace abut
       {
         return compliance_.apply(pressures);
       }
+
+    protected:
+      const InterfaceProblem &problem_;
+      const InterfaceCompliance &compliance_;
+    };
+
+    class DenseOperator : public BodiesOperator
+    {
+    public:
+      using BodiesOperator::BodiesOperator;
+
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
                             double) const override
       {
@@ -79,24 +91,14 @@ namespace abut
           refuse_dependent_multipliers();
         return scaling.asDiagonal() * factor.solve(scaling.asDiagonal() * right_sides);
       }
-
-    private:
-      const InterfaceProblem &problem_;
-      const InterfaceCompliance &compliance_;
     };
 
     /// Many bodies: the matrix has blocks where two pairs share a body, and a sparse factor.
-    class BlockOperator : public PressureOperator
+    class BlockOperator : public BodiesOperator
     {
     public:
-      BlockOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
-          : problem_(problem), compliance_(compliance)
-      {}
+      using BodiesOperator::BodiesOperator;
 
-      Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const override
-      {
-        return compliance_.apply(pressures);
-      }
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
                             double) const override
       {
@@ -132,23 +134,14 @@ namespace abut
         matrix.setFromTriplets(entries.begin(), entries.end());
         return matrix;
       }
-
-      const InterfaceProblem &problem_;
-      const InterfaceCompliance &compliance_;
     };
 
     /// Preconditioned conjugate gradients on the active set.
-    class IterativeOperator : public PressureOperator
+    class IterativeOperator : public BodiesOperator
     {
     public:
-      IterativeOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
-          : problem_(problem), compliance_(compliance)
-      {}
+      using BodiesOperator::BodiesOperator;
 
-      Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const override
-      {
-        return compliance_.apply(pressures);
-      }
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
                             const double accuracy) const override
       {
@@ -171,6 +164,8 @@ namespace abut
           matrix.diagonal() += own;
           factor.compute(matrix);
         }
+        if (factor.info() != Eigen::Success)
+          factor.compute(Eigen::MatrixXd(matrix.diagonal().asDiagonal()));
         return factor;
       }
 
@@ -190,19 +185,22 @@ namespace abut
           const Eigen::VectorXd product =
               compliance_.apply(whole)(active) + penalties.cwiseProduct(direction);
           const double curvature = direction.dot(product);
-          if (!(curvature > 0.) || i == most_iterations)
+          if (!(curvature > 0.))
             refuse_dependent_multipliers();
+          if (i == most_iterations)
+            throw ComputationError("Conjugate gradients on the active contact nodes have not converged in " +
+                                   std::to_string(most_iterations) +
+                                   " iterations; set Decomposition/Compliance to dense");
           x += rho / curvature * direction;
           residual -= rho / curvature * product;
           z = preconditioner.solve(residual);
           const double before = std::exchange(rho, residual.dot(z));
+          if (!std::isfinite(rho))
+            refuse_dependent_multipliers();
           direction = z + rho / before * direction;
         }
         return x;
       }
-
-      const InterfaceProblem &problem_;
-      const InterfaceCompliance &compliance_;
     };
   } // namespace
 

@@ -28,16 +28,6 @@ namespace abut
       }
       return pressures;
     }
-
-    /// The directions at right angles to those supported.
-    std::vector<Vector2> unsupported(const std::vector<Vector2> &supported)
-    {
-      if (supported.empty())
-        return {Vector2::UnitX(), Vector2::UnitY()};
-      if (supported.size() == 2)
-        return {};
-      return {Vector2(-supported.front().y(), supported.front().x())};
-    }
   } // namespace
 
   BoundaryTraction::BoundaryTraction(const Body &body, const Eigen::VectorXd &contact_forces)
@@ -70,7 +60,7 @@ namespace abut
         if (values.get_fe().system_to_component_index(i).first == 0)
           traction.value -=
               found->second[static_cast<Index>(dofs[i])] * values.shape_value(i, point) * normal;
-    traction.directions = unsupported(conditions_.supported(boundary, normal));
+    traction.directions = free_directions(conditions_.supported(boundary, normal));
     return traction;
   }
 } // namespace abut

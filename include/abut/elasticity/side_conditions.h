@@ -3,8 +3,17 @@
 
 #include <abut/elasticity/body.h>
 
+#include <map>
+#include <vector>
+
 namespace abut
 {
+  /// The directions at right angles to those supported: the two axes, one, or none.
+  std::vector<Vector2> free_directions(const std::vector<Vector2> &supported);
+
+  /// The part of a vector along the free directions.
+  Vector2 free_part(const std::vector<Vector2> &supported, const Vector2 &vector);
+
   /// What the scene prescribes on the sides of a body (conditions at single points aside).
   class SideConditions
   {
