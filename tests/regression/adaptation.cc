@@ -11,6 +11,7 @@ namespace
 {
   using abut::testing::Answer;
   using abut::testing::column;
+  using abut::testing::expect_balance;
   using abut::testing::project_file;
   using abut::testing::run;
   using abut::testing::run_scene;
@@ -38,12 +39,6 @@ namespace
             "Decomposition/Initial guess=elastic layer response",
             "Decomposition/Relaxation=automatic",
             "Decomposition/Tolerance=1e-6"};
-  }
-
-  void expect_balance(const Answer &answer)
-  {
-    for (const auto &body : answer.summary["bodies"])
-      EXPECT_LT(body["equilibrium_residual"].get<double>(), 1e-10) << body["name"];
   }
 } // namespace
 
@@ -141,45 +136,6 @@ TEST(Adaptation, TheLimitEndsTheRunOrStatusTwoDoes)
   EXPECT_NE(missed.err.find("Adaptation/Limit = 0.2"), std::string::npos) << missed.err;
 }
 
-TEST(Adaptation, TheCombinedAlgorithmEndsWhenBothTestsHold)
-{
-  // The paper's scene and parameters, its body 2 adapting; the literal guess and the increment rule.
-  const Overrides combined = {"Body lower/Adapt=true",       "Body lower/Cells=16, 4",
-                              "Adaptation/Estimator=zz",     "Adaptation/Combined=true",
-                              "Adaptation/Limit=0.3",        "Adaptation/Marking=threshold",
-                              "Adaptation/Maximum passes=60"};
-  const Answer answer = run_scene("two-layers", combined);
-  ASSERT_EQ(answer.status, 0) << answer.err;
-  EXPECT_EQ(answer.summary["stopped_by"], "limit");
-  EXPECT_EQ(answer.summary["passes"], answer.summary["steps"]);
-  const auto &last = answer.summary["pass_table"].back();
-  EXPECT_LE(last["eta_max"].get<double>(), .3);
-  EXPECT_LE(last["increment"].get<double>(), .0015);
-  const auto &before = answer.summary["pass_table"][answer.summary["passes"].get<std::size_t>() - 2];
-  EXPECT_TRUE(before["eta_max"].get<double>() > .3 || before["increment"].get<double>() > .0015);
-  EXPECT_EQ(answer.summary["counters"]["bodies"]["upper"]["factorisations"], 1);
-  expect_balance(answer);
-}
-
-TEST(Adaptation, TheCombinedAlgorithmHasTheLimitOfTheDecompositionOnAFixedMesh)
-{
-  // Where no cell is split, its passes are the steps of the parallel Neumann scheme.
-  const Overrides bound = {"Decomposition/Stopping rule=bound", "Decomposition/Tolerance=1e-4",
-                           "Decomposition/Initial guess=elastic layer response"};
-  const Answer steps = run_scene("two-layers", bound);
-  const Answer passes = run_scene(
-      "two-layers", bound + both_adapt +
-                        Overrides{"Adaptation/Combined=true", "Adaptation/Limit=1e3",
-                                  "Adaptation/Marking=threshold", "Adaptation/Maximum passes=1000"});
-  ASSERT_EQ(steps.status, 0) << steps.err;
-  ASSERT_EQ(passes.status, 0) << passes.err;
-  EXPECT_NEAR(steps.summary["steps"].get<int>(), passes.summary["passes"].get<int>(), 1);
-  const auto a = column(steps.directory + "/history.csv", "error_iteration");
-  const auto b = column(passes.directory + "/history.csv", "error_iteration");
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += 20)
-    EXPECT_NEAR(a[i], b[i], 1e-6 * a[i]) << "step " << i + 1;
-}
-
 TEST(Adaptation, TurningMirroringAndUnitsChangeNoMesh)
 {
   const Overrides passes =
@@ -254,16 +210,6 @@ TEST(Adaptation, TheMaximumOfUnknownsEndsTheRun)
   const auto &table = answer.summary["pass_table"];
   EXPECT_GE(table[table.size() - 1]["dofs"].get<int>(), 600);
   EXPECT_LT(table[table.size() - 2]["dofs"].get<int>(), 600);
-}
-
-TEST(Adaptation, TheCombinedAlgorithmNamesAGammaThatIsTooLarge)
-{
-  const Answer answer = run_scene(
-      "two-layers", both_adapt + Overrides{"Adaptation/Combined=true", "Adaptation/Limit=0.3",
-                                           "Adaptation/Marking=threshold", "Adaptation/Maximum passes=20",
-                                           "Decomposition/Relaxation=0.9"});
-  EXPECT_EQ(answer.status, 2);
-  EXPECT_NE(answer.err.find("gamma = 0.9 is not below gamma* = 0.053"), std::string::npos) << answer.err;
 }
 
 TEST(Adaptation, ZZAtDegreeTwoIsWarnedOf)

@@ -87,6 +87,12 @@ namespace abut::testing
     EXPECT_FALSE(std::filesystem::exists(answer.directory)) << "something was written";
   }
 
+  void expect_balance(const Answer &answer)
+  {
+    for (const auto &body : answer.summary["bodies"])
+      EXPECT_LT(body["equilibrium_residual"].get<double>(), 1e-10) << body["name"];
+  }
+
   std::string project_file(const std::string &name)
   {
     return std::string(ABUT_SOURCE_DIR) + "/" + name;

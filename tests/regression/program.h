@@ -26,6 +26,9 @@ namespace abut::testing
   /// A refusal as it should be: status 1, one line that contains all phrases, nothing written.
   void expect_refused(const Answer &answer, const std::vector<std::string> &phrases);
 
+  /// The forces on every body balance.
+  void expect_balance(const Answer &answer);
+
   /// The path of a file of the project.
   std::string project_file(const std::string &name);
 
