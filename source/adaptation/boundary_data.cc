@@ -42,14 +42,14 @@ namespace abut
     return {xx, yy, 0., nu_ * (xx + yy)};
   }
 
-  BoundaryData::BoundaryData(const Body &body, const std::vector<dealii::types::boundary_id> &boundaries,
-                             const GradedSides &sides, const BoundarySpace &space,
+  BoundaryData::BoundaryData(const Body &body, const GradedSides &sides, const BoundarySpace &space,
                              const unsigned int load_degree)
       : body_(body), sides_(sides), space_(space), load_degree_(load_degree),
         prescribed_(Eigen::VectorXd::Zero(2 * space.n_coefficients())),
         uniform_(scaled_body_force(body, space), body.material().poisson_ratio)
   {
     const SideConditions conditions(body);
+    const std::vector<dealii::types::boundary_id> &boundaries = sides.boundaries();
     for (std::size_t i = 0; i < boundaries.size(); ++i)
     {
       const Trace &side = sides.sides()[i];
@@ -202,11 +202,6 @@ namespace abut
         motions.transpose() * space_.trace_of(support_forces) / body_.material().mu();
     return densities * Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(forces) -
            uniform_support_;
-  }
-
-  std::vector<dealii::types::boundary_id> all_boundaries(const Body &body)
-  {
-    return body.space().mesh().triangulation.get_boundary_ids();
   }
 
   void check_boundary_elements(const Body &body)

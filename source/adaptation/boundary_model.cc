@@ -17,14 +17,6 @@ namespace abut
     /// Halvings of an edge towards a singular vertex.
     constexpr unsigned int n_splits = 8;
 
-    std::vector<Trace> traces(const Space &space, const std::vector<dealii::types::boundary_id> &boundaries)
-    {
-      std::vector<Trace> sides;
-      for (const auto boundary : boundaries)
-        sides.push_back(space.trace(boundary));
-      return sides;
-    }
-
     /// Both components of densities, a column of complex Legendre coefficients for every element.
     Eigen::MatrixXcd complex_columns(const Eigen::VectorXd &densities, const Index n_each)
     {
@@ -79,22 +71,15 @@ namespace abut
     }
   } // namespace
 
-  BoundaryModel::BoundaryModel(const Body &body, const BoundarySolution kind)
-      : BoundaryModel(body, kind, all_boundaries(body), traces(body.space(), all_boundaries(body)))
-  {}
-
-  BoundaryModel::BoundaryModel(const Body &body, const BoundarySolution kind,
-                               const std::vector<dealii::types::boundary_id> &boundaries,
-                               const std::vector<Trace> &sides)
-      : body_(body), kind_(kind)
+  BoundaryModel::BoundaryModel(const Body &body, const BoundarySolution kind) : body_(body), kind_(kind)
   {
     const unsigned int p = body.space().degree();
     const unsigned int displacement_degree = kind == BoundarySolution::reference_quality ? p + 1 : p;
     const unsigned int traction_degree = kind == BoundarySolution::constant_traction ? p - 1 : p;
     const bool graded = kind == BoundarySolution::trace_space || kind == BoundarySolution::reference_quality;
-    sides_ = std::make_unique<GradedSides>(body, boundaries, sides, graded ? n_splits : 0u);
+    sides_ = std::make_unique<GradedSides>(body, graded ? n_splits : 0u);
     space_ = std::make_unique<BoundarySpace>(sides_->sides(), displacement_degree, displacement_degree);
-    data_ = std::make_unique<BoundaryData>(body, boundaries, *sides_, *space_, traction_degree);
+    data_ = std::make_unique<BoundaryData>(body, *sides_, *space_, traction_degree);
     // From degree 3 on finite elements are soon better than the quick rule.
     const bool needs_precision = kind == BoundarySolution::reference_quality || p > 2;
     if (kind != BoundarySolution::finite_element_trace)

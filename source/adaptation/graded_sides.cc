@@ -103,18 +103,21 @@ namespace abut
     }
   };
 
-  GradedSides::GradedSides(const Body &body, const std::vector<dealii::types::boundary_id> &boundaries,
-                           const std::vector<Trace> &sides, const unsigned int n_splits)
-      : n_dofs_(static_cast<unsigned int>(body.space().n_dofs()))
+  GradedSides::GradedSides(const Body &body, const unsigned int n_splits)
+      : boundaries_(body.space().mesh().triangulation.get_boundary_ids()),
+        n_dofs_(static_cast<unsigned int>(body.space().n_dofs()))
   {
+    std::vector<Trace> sides;
+    for (const auto boundary : boundaries_)
+      sides.push_back(body.space().trace(boundary));
     const SideConditions conditions(body);
     std::vector<Edge> edges;
     Vector2 low = sides.front().node_points().front(), high = low;
     for (std::size_t i = 0; i < sides.size(); ++i)
       for (const Segment &segment : sides[i].segments())
       {
-        edges.push_back(
-            {&sides[i], &segment, boundaries[i], conditions.supported(boundaries[i], chord_normal(segment))});
+        edges.push_back({&sides[i], &segment, boundaries_[i],
+                         conditions.supported(boundaries_[i], chord_normal(segment))});
         low = low.cwiseMin(segment.points.front());
         high = high.cwiseMax(segment.points.front());
       }
@@ -227,11 +230,7 @@ namespace abut
 
   bool has_singular_vertices(const Body &body)
   {
-    const auto boundaries = body.space().mesh().triangulation.get_boundary_ids();
-    std::vector<Trace> sides;
-    for (const auto boundary : boundaries)
-      sides.push_back(body.space().trace(boundary));
-    const GradedSides graded(body, boundaries, sides, 0);
+    const GradedSides graded(body, 0);
     return std::any_of(graded.singular_ends().begin(), graded.singular_ends().end(),
                        [](const bool singular) { return singular; });
   }

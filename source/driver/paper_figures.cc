@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace abut
@@ -73,9 +74,7 @@ namespace abut
     void write_meshes(const Scene &scene, const ObservedRun &run)
     {
       std::vector<MeshPanel> panels;
-      std::vector<std::size_t> shown = {0, 2, run.passes.size() - 1};
-      shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
-      for (const std::size_t pass : shown)
+      for (const std::size_t pass : std::set<std::size_t>{0, 2, run.passes.size() - 1})
         if (pass < run.passes.size())
           panels.push_back({"pass " + std::to_string(pass + 1) + ": " +
                                 std::to_string(run.passes[pass].levels.size()) + " cells",
@@ -157,7 +156,7 @@ namespace abut
         Curve curve{"at the end of the run", {}, Curve::Style::marks};
         for (const ObservedRun *run : runs_by_limit(runs))
           curve.points.emplace_back(*limit_of(*run), run->last().monitored[c]);
-        Curve limit{"iterated to the limit, 128 x 32 cells", {}, Curve::Style::dashed};
+        Curve limit{"iterated to the limit", {}, Curve::Style::dashed};
         if (const ObservedRun *const run = limit_run(runs); run != nullptr && !curve.points.empty())
           limit.points = {{curve.points.front().x(), run->last().monitored[c]},
                           {curve.points.back().x(), run->last().monitored[c]}};

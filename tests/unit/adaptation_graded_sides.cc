@@ -30,9 +30,7 @@ namespace
   /// The sides of a body, graded.
   struct Graded
   {
-    explicit Graded(const BodyDescription &description)
-        : body(description, {}), graded(body, ids(), own(), n_halvings)
-    {}
+    explicit Graded(const BodyDescription &description) : body(description, {}), graded(body, n_halvings) {}
 
     std::vector<dealii::types::boundary_id> ids() const
     {
@@ -100,6 +98,7 @@ namespace
           Count{"AJump", block(rollers + "; top: pressure: if(x < 0.5, 1, 0)"), 1},
           Count{"AnInfinitePressure", block(rollers + "; top: pressure: if(x < 0.5, 1/sqrt(0.25 - x^2), 0)"),
                 1},
+          Count{"OneInfiniteOnBothSides", block(rollers + "; top: pressure: 1/sqrt(abs(x - 0.5))"), 1},
           Count{"BothEndsOfAClampedSide", block("left: displacement: 0, 0"), 2},
           Count{"ClampedBesideARoller", block("left: displacement: 0, 0; bottom: normal displacement: 0"), 1},
           Count{"AReentrantCorner", unit_body(Shape::l_shape, {1.}, "left: displacement: 0, 0"), 3},

@@ -36,8 +36,8 @@ namespace abut
   {
   public:
     /// `load_degree`: of the known tractions. Body, sides and space must outlive the object.
-    BoundaryData(const Body &body, const std::vector<dealii::types::boundary_id> &boundaries,
-                 const GradedSides &sides, const BoundarySpace &space, unsigned int load_degree);
+    BoundaryData(const Body &body, const GradedSides &sides, const BoundarySpace &space,
+                 unsigned int load_degree);
 
     /// Unit directions, none, one or two, for every element.
     const std::vector<std::vector<Vector2>> &supported() const { return supported_; }
@@ -69,9 +69,6 @@ namespace abut
     Eigen::VectorXd uniform_support_; ///< its traction along supported directions
     Eigen::VectorXd uniform_displacement_;
   };
-
-  /// All boundary ids of a body's mesh.
-  std::vector<dealii::types::boundary_id> all_boundaries(const Body &body);
 
   /**
    * Throws UserError, beginning with the body's name, for a body whose stress boundary elements cannot

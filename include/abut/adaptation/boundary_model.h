@@ -36,8 +36,6 @@ namespace abut
     Eigen::Index n_unknowns() const { return problem_ ? problem_->n_unknowns() : 0; }
 
   private:
-    BoundaryModel(const Body &body, BoundarySolution kind,
-                  const std::vector<dealii::types::boundary_id> &boundaries, const std::vector<Trace> &sides);
     void smooth(Eigen::MatrixXcd &slope) const;
     /// The known traction and, at supports, the one with the finite elements' reactions.
     BoundaryState finite_element_state(const BodySolution &solution) const;

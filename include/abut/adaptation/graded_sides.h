@@ -24,12 +24,13 @@ namespace abut
       double from, to;
     };
 
-    /// `boundaries`: ids of the sides. With `n_splits` = 0 nothing is split.
-    GradedSides(const Body &body, const std::vector<dealii::types::boundary_id> &boundaries,
-                const std::vector<Trace> &sides, unsigned int n_splits);
+    /// All sides of the body; with `n_splits` = 0 nothing is split.
+    GradedSides(const Body &body, unsigned int n_splits);
 
     /// New nodes have unknowns beyond those of the body: a field has to be `extended`.
     const std::vector<Trace> &sides() const { return sides_; }
+    /// The boundary id of every side.
+    const std::vector<dealii::types::boundary_id> &boundaries() const { return boundaries_; }
     /// Of every segment of a graded side.
     const std::vector<Piece> &pieces(const std::size_t side) const { return pieces_[side]; }
     /// Whether the vertex at the end of a segment is singular; all sides one after the other.
@@ -55,6 +56,7 @@ namespace abut
     /// A new node at s of an edge; returns its unknowns.
     std::array<unsigned int, 2> add_node(const Edge &edge, double s);
 
+    std::vector<dealii::types::boundary_id> boundaries_;
     std::vector<Trace> sides_;
     std::vector<std::vector<Piece>> pieces_;
     std::vector<bool> singular_ends_;
