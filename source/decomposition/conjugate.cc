@@ -106,7 +106,7 @@ namespace abut
       SchemeResult result = contact_result(problem_, compliance_, motions_, loads, p, motions,
                                            compliance_.apply(p), parameters_.tolerance);
       result.steps = steps;
-      const bool balanced = motions_.is_balanced(p, motions, std::max(1e-10, .01 * parameters_.tolerance));
+      const bool balanced = motions_.is_balanced(p, motions);
       if (balanced && result.iteration_error <= parameters_.tolerance)
         return result;
       if (!minimal || outer == most_outer_steps)

@@ -7,23 +7,11 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    double layers_compliance(const ContactPair &pair)
-    {
-      return pair.slave().layer_compliance + pair.master().layer_compliance;
-    }
-
-    /// overlap_i / (k_1 + k_2 + extra), with `extra` = theta or nothing.
+    /// overlap_i / (k_1 + k_2 + extra_i)
     Eigen::VectorXd layer_pressures(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
-                                    const bool with_penalty)
+                                    const Eigen::VectorXd &extra)
     {
-      Eigen::VectorXd result = (-problem.gaps(loads.response).array()).max(0.);
-      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-      {
-        const ContactPair &pair = problem.pairs()[i];
-        result.segment(problem.pressure_offset(i), pair.n_multipliers()) /=
-            layers_compliance(pair) + (with_penalty ? pair.penalty() : 0.);
-      }
-      return result;
+      return (-problem.gaps(loads.response).array()).max(0.) / (problem.layer_compliances() + extra).array();
     }
 
     /**
@@ -33,15 +21,16 @@ namespace abut
      */
     Eigen::VectorXd layer_response(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads)
     {
-      const Eigen::VectorXd pressures = layer_pressures(problem, loads, false);
+      const Eigen::VectorXd pressures =
+          layer_pressures(problem, loads, Eigen::VectorXd::Zero(problem.n_pressures()));
       Eigen::VectorXd response = loads.response;
+      response.head(problem.n_pressures()) +=
+          problem.layer_compliances().cwiseProduct(problem.weights()).cwiseProduct(pressures);
       for (std::size_t i = 0; i < problem.pairs().size(); ++i)
       {
         const ContactPair &pair = problem.pairs()[i];
         const Index offset = problem.pressure_offset(i), n = pair.n_multipliers();
         const Eigen::VectorXd p = pressures.segment(offset, n);
-        response.segment(offset, n).array() +=
-            layers_compliance(pair) * p.array() * problem.weights().segment(offset, n).array();
         for (const ContactBody *side : {&pair.slave(), &pair.master()})
         {
           const TraceBody &body = *problem.bodies()[side->body];
@@ -76,6 +65,6 @@ namespace abut
   {
     if (kind == InitialGuess::elastic_layer)
       return {std::nullopt, layer_response(problem, loads)};
-    return respond_to(compliance, loads, layer_pressures(problem, loads, true));
+    return respond_to(compliance, loads, layer_pressures(problem, loads, problem.penalties()));
   }
 } // namespace abut

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <sstream>
 
 namespace abut
@@ -20,26 +20,34 @@ namespace abut
     constexpr double unnoticed = 1e-3; // gap per displacement: discs have less from rounding their curve
     constexpr double balanced = 1e-7;  // of the loads
 
-    /// G^T D^-1 G + H in lengths: what the sides and rigid supports notice of the motions.
-    Eigen::MatrixXd noticed(const InterfaceProblem &problem, const InterfaceMotions &motions)
+    /// The square root of the length that the contact sides of each motion's body have; 1 without any.
+    Eigen::VectorXd side_scales(const InterfaceProblem &problem, const InterfaceMotions &motions)
     {
-      Eigen::MatrixXd scaled = motions.responses.topRows(problem.n_pressures());
-      for (Index i = 0; i < scaled.rows(); ++i)
-        scaled.row(i) *= problem.weights()[i] > 0. ? 1. / std::sqrt(problem.weights()[i]) : 0.;
-      Eigen::MatrixXd result = scaled.transpose() * scaled;
-      const double largest = result.size() > 0 ? result.diagonal().maxCoeff() : 0.;
-      for (Index k = 0; k < motions.size(); ++k)
-        if (motions.stiffness(k, k) > 0.)
-          result(k, k) += std::max(largest, 1.);
-      return result;
+      std::vector<double> lengths(problem.bodies().size(), 0.);
+      for (const ContactPair &pair : problem.pairs())
+        for (const ContactBody &side : {pair.slave(), pair.master()})
+          lengths[side.body] += pair.coupling().weights.sum();
+      Eigen::VectorXd scales(motions.size());
+      for (std::size_t a = 0; a < lengths.size(); ++a)
+        scales.segment(motions.offsets[a], motions.offsets[a + 1] - motions.offsets[a])
+            .setConstant(lengths[a] > 0. ? std::sqrt(lengths[a]) : 1.);
+      return scales;
     }
 
-    double shortest_side(const InterfaceProblem &problem)
+    /// G^T D^-1 G between motions as long as their bodies' sides, with 1 added for what supports resist: the
+    /// mean square of the gaps that the motions make.
+    Eigen::MatrixXd noticed(const InterfaceProblem &problem, const InterfaceMotions &motions,
+                            const Eigen::VectorXd &scales)
     {
-      double shortest = std::numeric_limits<double>::infinity();
-      for (const ContactPair &pair : problem.pairs())
-        shortest = std::min(shortest, pair.coupling().weights.sum());
-      return shortest;
+      const Eigen::VectorXd weights =
+          (problem.weights().array() > 0.).select(problem.weights().cwiseSqrt().cwiseInverse(), 0.);
+      const Eigen::MatrixXd gaps = weights.asDiagonal() * motions.responses.topRows(problem.n_pressures()) *
+                                   scales.cwiseInverse().asDiagonal();
+      Eigen::MatrixXd result = gaps.transpose() * gaps;
+      for (Index k = 0; k < motions.size(); ++k)
+        if (motions.stiffness(k, k) > 0.)
+          result(k, k) += 1.;
+      return result;
     }
 
     [[noreturn]] void refuse(const InterfaceMotions &motions, const Eigen::VectorXd &unbalanced,
@@ -55,6 +63,7 @@ namespace abut
               "a displacement condition";
       throw UserError(text.str());
     }
+
     /// All amplitudes but as many as there are loose motions, those that take part in them most.
     std::vector<Index> without_loose(const Eigen::MatrixXd &loose, const Index n)
     {
@@ -107,37 +116,70 @@ namespace abut
     return motions;
   }
 
-  std::vector<Eigen::Index> held_motions(const InterfaceProblem &problem, const InterfaceMotions &motions)
+  namespace
+  {
+    /// The loads on a motion that no contact resists: refused where they are more than the curve's rounding
+    /// can explain, else told by a sentence.
+    std::string dropped_load(const InterfaceMotions &motions, const Eigen::VectorXd &loose,
+                             const double noticed_share)
+    {
+      constexpr double round_off = 1e-9; // of the largest load
+      const double load = loose.dot(motions.loads), largest = motions.loads.cwiseAbs().maxCoeff();
+      if (std::abs(load) <= round_off * largest)
+        return {};
+      if (std::abs(load) > 10. * noticed_share * largest)
+        refuse(motions, load * loose, "no contact resists this motion");
+      Index worst = 0;
+      loose.cwiseAbs().maxCoeff(&worst);
+      std::ostringstream text;
+      text.precision(3);
+      text << motions.names[static_cast<std::size_t>(worst)]
+           << " is held by the rounding of a curved contact side alone: a resultant of " << load
+           << " along it (force, or moment over the body's extent), " << 100. * std::abs(load) / largest
+           << " % of the largest load, is left out; add a displacement condition that carries it";
+      return text.str();
+    }
+
+    /// Refuses loads of the held motions that no pressures balance. Stiff motions balance themselves.
+    void check_balance(const InterfaceProblem &problem, const InterfaceMotions &motions,
+                       const std::vector<Index> &held)
+    {
+      std::vector<Index> floating;
+      std::copy_if(held.begin(), held.end(), std::back_inserter(floating),
+                   [&](const Index k) { return !(motions.stiffness(k, k) > 0.); });
+      if (floating.empty())
+        return;
+      const Eigen::VectorXd demand = -motions.loads(floating);
+      const Eigen::MatrixXd forces =
+          motions.responses(Eigen::seqN(0, problem.n_pressures()), floating).transpose();
+      const NonnegativeFit fit = nonnegative_fit(forces, demand);
+      Eigen::VectorXd unbalanced = Eigen::VectorXd::Zero(motions.size());
+      unbalanced(floating) = forces * fit.x - demand;
+      const double load_size = motions.loads.cwiseAbs().maxCoeff();
+      if (fit.optimal && unbalanced.cwiseAbs().maxCoeff() > balanced * load_size)
+        refuse(motions, unbalanced, "no pressures that push balance the loads");
+    }
+  } // namespace
+
+  HeldMotions held_motions(const InterfaceProblem &problem, const InterfaceMotions &motions)
   {
     if (motions.size() == 0)
       return {};
-    const double load_size = motions.loads.cwiseAbs().maxCoeff(), side = shortest_side(problem);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(noticed(problem, motions));
-    const Index n_loose = (solver.eigenvalues().array() < unnoticed * unnoticed * side).count();
-    const Eigen::MatrixXd loose = solver.eigenvectors().leftCols(n_loose);
+    const Eigen::VectorXd scales = side_scales(problem, motions);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(noticed(problem, motions, scales));
+    const Index n_loose = (solver.eigenvalues().array() < unnoticed * unnoticed).count();
+    const Eigen::MatrixXd loose =
+        (scales.cwiseInverse().asDiagonal() * solver.eigenvectors().leftCols(n_loose)).colwise().normalized();
+    HeldMotions held;
     for (Index k = 0; k < n_loose; ++k)
     {
-      const double on_motion = loose.col(k).dot(motions.loads);
-      const double noise = std::sqrt(std::max(solver.eigenvalues()[k], 0.) / side);
-      if (std::abs(on_motion) > load_size * std::max(1e-9, 10. * noise))
-        refuse(motions, on_motion * loose.col(k), "no contact resists this motion");
+      const std::string dropped =
+          dropped_load(motions, loose.col(k), std::sqrt(std::max(solver.eigenvalues()[k], 0.)));
+      if (!dropped.empty())
+        held.dropped_loads.push_back(dropped);
     }
-    const std::vector<Index> held = without_loose(loose, motions.size());
-    // Stiff motions balance themselves; the others need pressures with G^T p = -e.
-    std::vector<Index> floating;
-    for (const Index k : held)
-      if (!(motions.stiffness(k, k) > 0.))
-        floating.push_back(k);
-    if (floating.empty())
-      return held;
-    const Eigen::VectorXd demand = -motions.loads(floating);
-    const Eigen::MatrixXd forces =
-        motions.responses(Eigen::seqN(0, problem.n_pressures()), floating).transpose();
-    Eigen::VectorXd unbalanced = Eigen::VectorXd::Zero(motions.size());
-    const NonnegativeFit fit = nonnegative_fit(forces, demand);
-    unbalanced(floating) = forces * fit.x - demand;
-    if (fit.optimal && unbalanced.cwiseAbs().maxCoeff() > balanced * load_size)
-      refuse(motions, unbalanced, "no pressures that push balance the loads");
+    held.indices = without_loose(loose, motions.size());
+    check_balance(problem, motions, held.indices);
     return held;
   }
 } // namespace abut

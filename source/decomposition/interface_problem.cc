@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/interface_problem.h>
 
+#include <algorithm>
 #include <limits>
 #include <tbb/parallel_for.h>
 
@@ -50,6 +51,7 @@ namespace abut
     }
     weights_.resize(n);
     penalties_.resize(n);
+    layer_compliances_.resize(n);
     initial_gap_.resize(n);
     std::vector<Triplets> triplets(bodies.size());
     for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -59,6 +61,8 @@ namespace abut
       weights_.segment(offset, size) = pair.coupling().weights;
       initial_gap_.segment(offset, size) = pair.coupling().gap;
       penalties_.segment(offset, size).setConstant(pair.penalty());
+      layer_compliances_.segment(offset, size)
+          .setConstant(pair.slave().layer_compliance + pair.master().layer_compliance);
       const auto add = [&](const ContactBody &side, const RowMatrix &block) {
         add_block(block, offset, bodies[side.body]->trace_offset(side.side), triplets[side.body]);
       };
@@ -77,6 +81,21 @@ namespace abut
       observers_.emplace_back(response_size_, bodies[a]->trace_size());
       observers_.back().setFromTriplets(triplets[a].begin(), triplets[a].end());
     }
+  }
+
+  std::size_t InterfaceProblem::pair_of(const Index multiplier) const
+  {
+    const auto after = std::upper_bound(pressure_offsets_.begin(), pressure_offsets_.end(), multiplier);
+    return static_cast<std::size_t>(after - pressure_offsets_.begin()) - 1;
+  }
+
+  const Vector2 &InterfaceProblem::place(const Index multiplier) const
+  {
+    const std::size_t pair = pair_of(multiplier);
+    const ContactBody &slave = pairs()[pair].slave();
+    return bodies_[slave.body]
+        ->contact_sides()[slave.side]
+        .node_points()[static_cast<std::size_t>(multiplier - pressure_offset(pair))];
   }
 
   Eigen::VectorXd InterfaceProblem::gaps(const Eigen::VectorXd &response) const

@@ -12,45 +12,29 @@ namespace abut
 
     const double pi = std::acos(-1.);
 
-    /// The kernel 2/(pi E) K_0(kappa r) of one pair, summed over its bodies.
+    /// The kernel (f/pi) log(1 + (c/r)^2) of one pair, f the sum of 1/E.
     struct ModelKernel
     {
-      double factor, kappa;
+      double factor, depth;
 
       explicit ModelKernel(const ContactPair &pair)
-          : factor(0.), kappa(2. / std::max(pair.slave().depth, pair.master().depth))
+          : factor(0.), depth(.5 * std::max(pair.slave().depth, pair.master().depth))
       {
         for (const ContactBody &side : {pair.slave(), pair.master()})
-          factor += 2. / pi * side.flexibility / side.depth;
+          factor += side.flexibility / (pi * side.depth);
       }
 
       double at(const double distance) const
       {
-        const double argument = kappa * distance;
-        return argument < 500. ? factor * std::cyl_bessel_k(0., argument) : 0.;
+        const double ratio = depth / distance;
+        return factor * std::log1p(ratio * ratio);
       }
-      /// Mean over the pairs of points of an interval, of the logarithm that K_0 begins with.
+      /// Mean over the pairs of points of an interval.
       double own(const double width) const
       {
-        constexpr double euler = .57721566490153286;
-        return factor * std::max(1.5 - euler - std::log(.5 * kappa * width), .5);
+        return factor * std::max(3. + 2. * std::log(depth / width), 1.);
       }
     };
-
-    std::size_t pair_of(const InterfaceProblem &problem, const Index multiplier)
-    {
-      std::size_t pair = problem.pairs().size() - 1;
-      while (problem.pressure_offset(pair) > multiplier)
-        --pair;
-      return pair;
-    }
-
-    const Vector2 &place(const InterfaceProblem &problem, const std::size_t pair, const Index multiplier)
-    {
-      const ContactBody &slave = problem.pairs()[pair].slave();
-      const Trace &trace = problem.bodies()[slave.body]->contact_sides()[slave.side];
-      return trace.node_points()[static_cast<std::size_t>(multiplier - problem.pressure_offset(pair))];
-    }
   } // namespace
 
   Eigen::MatrixXd model_compliance(const InterfaceProblem &problem, const ActiveSet &active)
@@ -60,17 +44,17 @@ namespace abut
     for (Index j = 0; j < n; ++j)
     {
       const Index column = active[static_cast<std::size_t>(j)];
-      const std::size_t pair = pair_of(problem, column);
+      const std::size_t pair = problem.pair_of(column);
       const ModelKernel kernel(problem.pairs()[pair]);
-      const Vector2 &here = place(problem, pair, column);
+      const Vector2 &here = problem.place(column);
       const double weight = problem.weights()[column];
       matrix(j, j) = weight * weight * kernel.own(weight);
       for (Index i = j + 1; i < n; ++i)
       {
         const Index row = active[static_cast<std::size_t>(i)];
-        if (pair_of(problem, row) == pair)
+        if (problem.pair_of(row) == pair)
           matrix(i, j) = matrix(j, i) =
-              weight * problem.weights()[row] * kernel.at((place(problem, pair, row) - here).norm());
+              weight * problem.weights()[row] * kernel.at((problem.place(row) - here).norm());
       }
     }
     return matrix;

@@ -12,20 +12,10 @@ namespace abut
 
     Eigen::VectorXd layer_stiffnesses(const InterfaceProblem &problem, const Eigen::MatrixXd &gaps)
     {
-      Eigen::VectorXd result = Eigen::VectorXd::Zero(gaps.cols());
-      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-      {
-        const ContactPair &pair = problem.pairs()[i];
-        const double softness =
-            pair.slave().layer_compliance + pair.master().layer_compliance + pair.penalty();
-        for (Index k = 0; k < pair.n_multipliers(); ++k)
-        {
-          const Index row = problem.pressure_offset(i) + k;
-          if (problem.weights()[row] > 0.)
-            result += gaps.row(row).cwiseAbs2().transpose() / (softness * problem.weights()[row]);
-        }
-      }
-      return result;
+      const Eigen::VectorXd softness =
+          problem.weights().cwiseProduct(problem.layer_compliances() + problem.penalties());
+      const Eigen::VectorXd stiffness = (softness.array() > 0.).select(softness.cwiseInverse(), 0.);
+      return gaps.cwiseAbs2().transpose() * stiffness;
     }
   } // namespace
 
@@ -42,9 +32,9 @@ namespace abut
     return size() > 0 ? std::max(loads.cwiseAbs().maxCoeff(), sums.maxCoeff()) : 0.;
   }
 
-  bool MotionTerms::is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
-                                const double share) const
+  bool MotionTerms::is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes) const
   {
+    constexpr double share = 1e-10;
     constexpr double round_off = 100. * std::numeric_limits<double>::epsilon();
     return size() == 0 ||
            unbalanced(pressures, amplitudes).cwiseAbs().maxCoeff() <=
@@ -55,7 +45,9 @@ namespace abut
   {
     MotionTerms terms;
     terms.all = interface_motions(problem);
-    terms.held = held_motions(problem, terms.all);
+    HeldMotions held = held_motions(problem, terms.all);
+    terms.held = std::move(held.indices);
+    terms.dropped_loads = std::move(held.dropped_loads);
     terms.gaps = terms.all.responses(Eigen::seqN(0, problem.n_pressures()), terms.held);
     terms.stiffness = terms.all.stiffness(terms.held, terms.held);
     terms.loads = terms.all.loads(terms.held);

@@ -127,7 +127,8 @@ namespace abut
         report(steps + step, state);
       };
       const PivotResult pivots =
-          ActiveSetMethod(problem_, *contact, motions_, accuracy, parameters_.maximum_steps)
+          ActiveSetMethod(problem_, *contact, motions_, accuracy,
+                          parameters_.maximum_steps - std::min(steps, parameters_.maximum_steps - 1))
               .solve(loads.response.head(problem_.n_pressures()), pressures, motions, count_on);
       steps += pivots.steps;
       const std::string message = failure(pivots, parameters_);

@@ -15,8 +15,7 @@ namespace abut
     constexpr double first_softness = 1e-6;     // eps of the proximal steps, of the layers' stiffness
     constexpr double smallest_softness = 1e-12; //
     constexpr int most_proximal_steps = 12;
-    constexpr double in_balance = 1e-14;      // of the forces: no further proximal step
-    constexpr double balanced_enough = 1e-10; // of the forces, after the last one
+    constexpr double no_residual = 1e-14; // of the forces: no further proximal step
 
     ActiveSet indices(const std::vector<bool> &active)
     {
@@ -105,6 +104,13 @@ namespace abut
     return result;
   }
 
+  bool ActiveSetMethod::in_balance(const PivotState &state) const
+  {
+    return motions_.size() == 0 ||
+           motions_.unbalanced(state.pressures, state.motions).cwiseAbs().maxCoeff() <=
+               no_residual * motions_.force_scale(state.pressures);
+  }
+
   PivotResult ActiveSetMethod::solve(const Eigen::VectorXd &gaps, const Eigen::VectorXd &pressures,
                                      const Eigen::VectorXd &motions, const Observer &observer) const
   {
@@ -128,25 +134,20 @@ namespace abut
         ++result.steps;
       }
       solve_on(system, softness, before, result.state);
-      if (observer)
-        observer(result.steps, result.state);
       const std::vector<Index> wrong = infeasible(gaps, result.state, active);
-      if (wrong.empty())
+      if (wrong.empty() && ++proximal_steps < most_proximal_steps && !in_balance(result.state))
       {
-        const Eigen::VectorXd force = motions_.unbalanced(result.state.pressures, result.state.motions);
-        if (motions_.size() == 0 ||
-            force.cwiseAbs().maxCoeff() <= in_balance * motions_.force_scale(result.state.pressures))
-          return result;
-        if (++proximal_steps == most_proximal_steps)
-        {
-          result.balanced =
-              motions_.is_balanced(result.state.pressures, result.state.motions, balanced_enough);
-          return result;
-        }
         before = result.state.motions;
         softness = (.01 * softness).cwiseMax(smallest_softness * motions_.layer_stiffness);
         pivoting = BlockPivoting();
         continue;
+      }
+      if (observer)
+        observer(result.steps, result.state);
+      if (wrong.empty())
+      {
+        result.balanced = motions_.is_balanced(result.state.pressures, result.state.motions);
+        return result;
       }
       result.too_many = result.steps >= maximum_steps_;
       result.cycles = !result.too_many && !pivoting.flip(wrong, active);

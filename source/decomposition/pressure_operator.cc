@@ -32,16 +32,10 @@ namespace abut
     class LayerOperator : public PressureOperator
     {
     public:
-      explicit LayerOperator(const InterfaceProblem &problem) : diagonal_(problem.weights())
-      {
-        for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-        {
-          const ContactPair &pair = problem.pairs()[i];
-          diagonal_.segment(problem.pressure_offset(i), pair.n_multipliers()) *=
-              pair.slave().layer_compliance + pair.master().layer_compliance;
-        }
-        with_penalty_ = diagonal_ + problem.weights().cwiseProduct(problem.penalties());
-      }
+      explicit LayerOperator(const InterfaceProblem &problem)
+          : diagonal_(problem.weights().cwiseProduct(problem.layer_compliances())),
+            with_penalty_(diagonal_ + problem.weights().cwiseProduct(problem.penalties()))
+      {}
 
       Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const override
       {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/projected_gradients.h>
+#include <abut/decomposition/spectrum.h>
 #include <abut/user_error.h>
 
 #include <algorithm>
@@ -101,9 +102,7 @@ namespace abut
                     const Eigen::Index n)
   {
     constexpr int steps = 12;
-    Eigen::VectorXd v(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      v[i] = 1. + .5 * std::cos(static_cast<double>(i * i));
+    Eigen::VectorXd v = probing_vector(n);
     double norm = 0.;
     for (int i = 0; i < steps; ++i)
     {

@@ -11,16 +11,13 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-
-    /// A start with all frequencies in it, the same in every run.
-    Eigen::VectorXd start_vector(const Index n)
-    {
-      Eigen::VectorXd v(n);
-      for (Index i = 0; i < n; ++i)
-        v[i] = 1. + .5 * std::cos(static_cast<double>(i * i));
-      return v;
-    }
   } // namespace
+
+  Eigen::VectorXd probing_vector(const Index n)
+  {
+    return Eigen::VectorXd::NullaryExpr(
+        n, [](const Index i) { return 1. + .5 * std::cos(static_cast<double>(i * i)); });
+  }
 
   double largest_eigenvalue(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                             const Eigen::VectorXd *const active)
@@ -36,7 +33,7 @@ namespace abut
     if (scaling.isZero(0.))
       return 1.;
 
-    Eigen::VectorXd q = (scaling > 0.).select(start_vector(n).array(), 0.).matrix().normalized();
+    Eigen::VectorXd q = (scaling > 0.).select(probing_vector(n).array(), 0.).matrix().normalized();
     Eigen::MatrixXd basis(n, std::min(n, most_steps));
     std::vector<double> diagonal, off_diagonal;
     double largest = 0.;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/command_line.h>
 #include <abut/driver/reproduction.h>
+#include <abut/driver/scheme_comparison.h>
 #include <abut/driver/simulation.h>
 #include <abut/driver/study.h>
 #include <abut/report/atomic_file.h>
@@ -23,7 +24,8 @@ namespace abut
     {
       std::string file;
       std::vector<std::string> overrides;
-      bool check = false, quiet = false, print_parameters = false, study = false, reproduce = false;
+      bool check = false, quiet = false, print_parameters = false;
+      bool study = false, reproduce = false, schemes = false;
     };
 
     /// Empty where the command line is dealt with: `status` is then what to end with.
@@ -49,6 +51,11 @@ namespace abut
                          "Run the variants that the file's section Study lists: error against run time")
           ->fallthrough()
           ->parse_complete_callback([&] { options.study = true; });
+      app.add_subcommand(
+             "schemes",
+             "Solve the contact on the file's meshes by every scheme: steps, seconds and error of each")
+          ->fallthrough()
+          ->parse_complete_callback([&] { options.schemes = true; });
       app.add_subcommand("reproduce",
                          "Run the file and the variants of its section Study; write the figures of "
                          "doc/reproducing-the-paper.md and their data")
@@ -135,10 +142,13 @@ namespace abut
       }
       if (options.study)
         return study(options, out, err);
+      const auto status_of = [](const bool converged) {
+        return converged ? ExitStatus::converged : ExitStatus::not_converged;
+      };
       if (options.reproduce)
-        return run_reproduction(options.file, options.overrides, options.quiet, out)
-                   ? ExitStatus::converged
-                   : ExitStatus::not_converged;
+        return status_of(run_reproduction(options.file, options.overrides, options.quiet, out));
+      if (options.schemes)
+        return status_of(compare_schemes(options.file, options.overrides, options.quiet, out));
       const Scene scene = Scene::read(options.file, options.overrides);
       if (!options.check)
         return run_scene(scene, options.quiet, out, err);

@@ -153,6 +153,9 @@ namespace abut
             std::to_string(pair.missed.size()) +
             " pieces of the slave side far from any node in contact; contact smaller than a cell is not "
             "resolved, use finer cells or let the bodies adapt (Body <name>/Adapt)");
+    if (solver_ && solver_->motions() != nullptr)
+      sentences.insert(sentences.end(), solver_->motions()->dropped_loads.begin(),
+                       solver_->motions()->dropped_loads.end());
     constexpr double much_stiffer = 10.;
     for (const ContactPair &pair : pairs())
       if (pair.penalty() == 0. && much_stiffer * pair.slave().flexibility < pair.master().flexibility)

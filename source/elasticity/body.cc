@@ -38,18 +38,6 @@ namespace abut
       return embedding;
     }
 
-    Vector2 total(const Eigen::VectorXd &forces, const Nodes &nodes, double &size)
-    {
-      Vector2 sum = Vector2::Zero();
-      for (const auto &dofs : nodes.dofs)
-      {
-        const Vector2 force(forces[dofs[0]], forces[dofs[1]]);
-        sum += force;
-        size += force.norm();
-      }
-      return sum;
-    }
-
     Vector2 centre_of(const Nodes &nodes)
     {
       Vector2 sum = Vector2::Zero();
@@ -237,41 +225,6 @@ namespace abut
     if (!space_->has_hanging_nodes())
       return forces;
     return space_->hanging_node_expansion().transpose() * forces;
-  }
-
-  Reactions Body::reactions(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const
-  {
-    const Eigen::VectorXd contact = trace_to_dofs_ * contact_forces;
-    const Eigen::VectorXd support = support_forces(deformation, contact_forces);
-    const Nodes nodes = all_nodes(*space_);
-    Reactions result;
-    double size = 0.;
-    result.applied = total(load_, nodes, size);
-    result.contact = total(contact, nodes, size);
-    Vector2 sum = result.applied + result.contact;
-    for (const SupportNode &node : supports_.nodes)
-    {
-      // The force at a node is a combination of the supported directions; each belongs to its boundary.
-      const Vector2 force(support[node.dofs[0]], support[node.dofs[1]]);
-      Vector2 shares;
-      if (node.directions.size() == 1)
-        shares = Vector2(force.dot(node.directions[0]), 0.);
-      else
-      {
-        Eigen::Matrix2d directions;
-        directions << node.directions[0], node.directions[1];
-        shares = directions.inverse() * force;
-      }
-      for (std::size_t i = 0; i < node.directions.size(); ++i)
-      {
-        const Vector2 share = shares[static_cast<Index>(i)] * node.directions[i];
-        result.by_boundary.try_emplace(node.boundaries[i], Vector2::Zero()).first->second += share;
-        sum += share;
-        size += share.norm();
-      }
-    }
-    result.equilibrium_residual = size > 0. ? sum.norm() / size : 0.;
-    return result;
   }
 
   double Body::rigid_side_force(const Eigen::VectorXd &deformation,

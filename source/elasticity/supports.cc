@@ -158,13 +158,4 @@ namespace abut
       }
     return modes;
   }
-
-  std::vector<std::string> free_rigid_motions(const std::vector<PrescribedComponent> &components,
-                                              const Vector2 &centre, const double size)
-  {
-    std::vector<std::string> motions;
-    for (const RigidMode &mode : free_rigid_modes(components, centre, size))
-      motions.push_back(mode.description());
-    return motions;
-  }
 } // namespace abut

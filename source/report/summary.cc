@@ -51,7 +51,8 @@ namespace abut
               {"h_ratio", number(quality.h_boundary / quality.h_max)},
               {"regularity", number(quality.regularity)},
               {"reactions", reactions},
-              {"equilibrium_residual", number(result.reactions.equilibrium_residual)}};
+              {"equilibrium_residual", number(result.reactions.equilibrium_residual)},
+              {"moment_residual", number(result.reactions.moment_residual)}};
     }
 
     Json contact_summary(const PairResult &result)
@@ -112,6 +113,7 @@ namespace abut
                     {"energy", number(limit->energy)},
                     {"peak_pressure", number(limit->peak_pressure)}};
       return {{"increment", number(results.iteration.increment)},
+              {"error_is_bound", results.iteration.error_is_bound},
               {"limit_distance", distance},
               {"rigid_displacement", rigid_displacement(results)},
               {"dense_compliance", results.compliance_is_dense}};

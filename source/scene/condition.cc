@@ -130,9 +130,7 @@ namespace abut
 
   std::string to_string(const ConditionKind kind)
   {
-    return std::find_if(condition_kinds.begin(), condition_kinds.end(),
-                        [&](const auto &entry) { return entry.second == kind; })
-        ->first;
+    return word_of(condition_kinds, kind);
   }
 
   bool is_support(const ConditionKind kind)

@@ -36,7 +36,7 @@ namespace abut
                       "Initial normal gap, negative for an overlap: geometry, or a formula in x, y of the "
                       "slave's own frame. Length, before the slave's Scale.");
     prm.declare_entry(
-        "Penalty coefficient", "0.05", Patterns::Double(0.),
+        "Penalty coefficient", "0", Patterns::Double(0.),
         "c of the penalty theta = (c/2) sum H/E over the two bodies. 0: exact contact, for the schemes "
         "conjugate and newton. No unit.");
     prm.declare_entry(

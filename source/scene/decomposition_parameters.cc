@@ -45,14 +45,20 @@ namespace abut
     }
   } // namespace
 
+  std::string to_string(const SchemeKind scheme)
+  {
+    return word_of(schemes, scheme);
+  }
+
   void DecompositionParameters::declare(dealii::ParameterHandler &prm)
   {
     namespace Patterns = dealii::Patterns;
-    prm.declare_entry("Scheme", "neumann", Patterns::Selection(words_of(schemes)),
-                      "How the interface problem is solved. neumann: the parallel Neumann scheme. newton: "
-                      "primal-dual active set, a few steps whatever penalty and stiffness ratio. conjugate: "
-                      "projected conjugate gradients. The latter two allow a penalty of 0 (exact contact), "
-                      "bodies that contact alone holds and several rigid sides with given resultants.");
+    prm.declare_entry(
+        "Scheme", "newton", Patterns::Selection(words_of(schemes)),
+        "How the interface problem is solved. newton: primal-dual active set, a few steps whatever penalty "
+        "and stiffness ratio. conjugate: projected conjugate gradients. neumann: the parallel "
+        "Neumann scheme of the paper; it needs a penalty above 0, supports on every body and at most one "
+        "rigid side with a given resultant. `abut schemes` compares them.");
     prm.declare_entry(
         "Initial guess", "elastic layer response", Patterns::Selection(words_of(initial_guesses)),
         "elastic layer: normal displacements of the contact nodes that just close the gap, shared "

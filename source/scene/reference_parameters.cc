@@ -126,8 +126,6 @@ namespace abut
 
   std::string to_string(const ReferenceParameters::Solution solution)
   {
-    return std::find_if(reference_solutions.begin(), reference_solutions.end(),
-                        [&](const auto &entry) { return entry.second == solution; })
-        ->first;
+    return word_of(reference_solutions, solution);
   }
 } // namespace abut

@@ -111,6 +111,7 @@ TEST(Program, AFailedRunLeavesNoOldSummaryBehind)
   const std::string scene = project_file("prm/patch-test.prm");
   const std::vector<const char *> arguments = {
       "abut",     scene.c_str(),
+      "--set",    "Decomposition/Scheme=neumann",
       "--set",    "Body upper/Conditions=left: normal displacement: 0; top: resultant: 0, 5",
       "--output", good.directory.c_str()};
   EXPECT_EQ(abut::run_command_line(static_cast<int>(arguments.size()), arguments.data(), out, err), 2);

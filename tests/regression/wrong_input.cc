@@ -98,12 +98,12 @@ end
       {"held_by_contact_alone",
        "; top: displacement y: -1e-3",
        "",
-       {},
+       {"--set", "Decomposition/Scheme=neumann", "--set", "Contact interface/Penalty coefficient=0.05"},
        {"Body upper", "contact alone", "translation along (0, 1)"}},
       {"free_to_slide",
        lower_supports,
        "bottom: normal displacement: 0",
-       {},
+       {"--set", "Decomposition/Scheme=neumann", "--set", "Contact interface/Penalty coefficient=0.05"},
        {"Body lower", "translation along (1, 0)"}},
       {"contact_with_unknown_side",
        "set Slave = lower:top",
@@ -120,7 +120,7 @@ end
       {"exact_contact",
        "set Slave = lower:top",
        "set Penalty coefficient = 0\n  set Slave = lower:top",
-       {},
+       {"--set", "Decomposition/Scheme=neumann"},
        {"Penalty coefficient", "0"}},
       {"unknown_body_in_list",
        "set Bodies = upper, lower",
@@ -276,7 +276,7 @@ end
   TEST(WrongInput, CheckRefusesTheSame)
   {
     const Answer answer = run({temporary_file("scene.prm", good_file), "--check", "--set",
-                               "Body upper/Conditions=left: normal displacement: 0"});
+                               "Body upper/Conditions=left: normal displacement: 0; top: traction: 0, 1"});
     EXPECT_EQ(answer.status, 1);
     EXPECT_NE(answer.out.find("rigid motions left free: translation along (0, 1)"), std::string::npos)
         << answer.out;

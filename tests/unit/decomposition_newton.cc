@@ -233,7 +233,7 @@ TEST(DecompositionNewton, AFarMotionHidesNoImbalance)
   motions.loads = motions.layer_stiffness = Eigen::VectorXd::Ones(1);
   motions.layer_stiffness *= 1e9;
   const Eigen::VectorXd amplitudes = Eigen::VectorXd::Ones(1);
-  EXPECT_FALSE(motions.is_balanced(Eigen::VectorXd::Constant(1, .96), amplitudes, 1e-10));
-  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-11), amplitudes, 1e-10));
-  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-6), amplitudes, 1e-10)); // round-off
+  EXPECT_FALSE(motions.is_balanced(Eigen::VectorXd::Constant(1, .96), amplitudes));
+  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-11), amplitudes));
+  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-6), amplitudes)); // round-off
 }

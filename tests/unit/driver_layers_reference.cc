@@ -59,10 +59,12 @@ namespace
 
   INSTANTIATE_TEST_SUITE_P(
       Given, PenaltyOfThePair,
-      testing::Values(std::pair{Overrides{}, 5e-4 / 2.1e5},
+      testing::Values(std::pair{Overrides{"Contact interface/Penalty coefficient=5e-4"}, 5e-4 / 2.1e5},
                       std::pair{Overrides{"Contact interface/Penalty coefficient=0.05"}, .05 / 2.1e5},
                       std::pair{Overrides{"Contact interface/Penalty=1e-6"}, 1e-6},
-                      std::pair{Overrides{"Body upper/Contact depth=0.5"}, 3.75e-4 / 2.1e5}));
+                      std::pair{Overrides{"Contact interface/Penalty coefficient=5e-4",
+                                          "Body upper/Contact depth=0.5"},
+                                3.75e-4 / 2.1e5}));
 
   // Lengths twice as large with the same moduli: displacements and theta too, stresses as before.
   TEST(LayersReference, has_the_penalty_in_the_lengths_of_the_bodies)

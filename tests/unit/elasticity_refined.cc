@@ -130,6 +130,7 @@ TEST(ElasticityRefined, ReactionsBalanceBodyForcesTractionsAndContactForces)
       sum += entry.second;
     EXPECT_LT(sum.norm(), 1e-10) << variant.degree;
     EXPECT_LT(reactions.equilibrium_residual, 1e-12) << variant.degree;
+    EXPECT_LT(reactions.moment_residual, 1e-12) << variant.degree;
 
     // Maxwell and Betti, and the work of the contact forces.
     const Eigen::VectorXd change = u - body.displacement(Eigen::VectorXd::Zero(forces.size()), 0.);

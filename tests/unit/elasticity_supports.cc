@@ -19,7 +19,10 @@ namespace
 
   std::vector<std::string> free_motions(const std::vector<PrescribedComponent> &components)
   {
-    return free_rigid_motions(components, Vector2(10., 20.), 5.);
+    std::vector<std::string> descriptions;
+    for (const RigidMode &mode : free_rigid_modes(components, Vector2(10., 20.), 5.))
+      descriptions.push_back(mode.description());
+    return descriptions;
   }
 
   PrescribedComponent hold(const Vector2 &place, const Vector2 &direction)

@@ -26,7 +26,7 @@ namespace
     ASSERT_EQ(json["bodies"].size(), 2u);
     expect_keys(json["bodies"][0],
                 {"name", "cells", "dofs", "boundary_dofs", "energy", "max_von_mises", "min_level",
-                 "max_level", "h_max", "regularity", "reactions", "equilibrium_residual"});
+                 "max_level", "h_max", "regularity", "reactions", "equilibrium_residual", "moment_residual"});
     ASSERT_EQ(json["contacts"].size(), 1u);
     expect_keys(json["contacts"][0], {"name", "force", "normal_force", "max_pressure", "contact_length",
                                       "max_penetration", "min_gap", "penalty", "coverage"});

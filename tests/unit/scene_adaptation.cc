@@ -14,14 +14,16 @@ namespace
     expect_phrase(message_of([&] { file.read(overrides); }), phrase);
   }
 
-  const std::string estimator = "Adaptation/Estimator=zz", adapt = "Body upper/Adapt=true";
+  const std::string estimator = "Adaptation/Estimator=zz", adapt = "Body upper/Adapt=true",
+                    neumann = "Decomposition/Scheme=neumann",
+                    penalty = "Contact interface/Penalty coefficient=0.05";
 } // namespace
 
 TEST(SceneAdaptation, reads_what_is_given)
 {
   const SceneFile file(two_squares);
   const Scene scene = file.read(
-      {estimator, adapt, "Adaptation/Marking=fixed fraction", "Adaptation/Fraction=1",
+      {neumann, penalty, estimator, adapt, "Adaptation/Marking=fixed fraction", "Adaptation/Fraction=1",
        "Adaptation/Coarsening=0.25", "Adaptation/Limit=0.5", "Adaptation/Normalisation=printed",
        "Adaptation/Maximum passes=7", "Adaptation/Combined=true", "Adaptation/Iteration fraction=0"});
   EXPECT_TRUE(scene.bodies[0].adapt);
@@ -42,8 +44,8 @@ TEST(SceneAdaptation, reads_the_boundary_elements)
   const SceneFile file(two_squares);
   EXPECT_EQ(file.read({}).adaptation.boundary_solution, BoundarySolution::trace_space);
   const Scene scene =
-      file.read({"Adaptation/Estimator=fe-be", "Adaptation/Boundary solution=constant traction",
-                 "Adaptation/Estimate steps=3"});
+      file.read({neumann, penalty, "Adaptation/Estimator=fe-be",
+                 "Adaptation/Boundary solution=constant traction", "Adaptation/Estimate steps=3"});
   EXPECT_EQ(scene.adaptation.estimator, EstimatorKind::fe_be);
   EXPECT_EQ(scene.adaptation.boundary_solution, BoundarySolution::constant_traction);
   EXPECT_EQ(scene.adaptation.estimate_steps, 3u);
@@ -59,7 +61,7 @@ TEST(SceneAdaptation, refuses_what_does_not_fit)
                   "Adaptation/Estimate steps=1"},
                  "a Boundary solution other than finite element trace");
   expect_refused(
-      {"Adaptation/Estimator=fe-be", "Decomposition/Scheme=newton", "Adaptation/Estimate steps=2"},
+      {"Adaptation/Estimator=fe-be", "Adaptation/Estimate steps=2"},
       "Adaptation/Estimate steps: received `2`, allowed is 0 but with Decomposition/Scheme = neumann");
   expect_refused({"Adaptation/Marking=all"}, "Marking");
   expect_refused({"Adaptation/Normalisation=l2"}, "Normalisation");
@@ -72,14 +74,15 @@ TEST(SceneAdaptation, refuses_what_does_not_fit)
   expect_refused({"Adaptation/Limit=-1"}, "Limit");
   expect_refused({"Adaptation/Maximum passes=0"}, "Maximum passes");
   expect_refused({estimator, adapt, "Adaptation/Marking=threshold"}, "Marking = threshold");
-  expect_refused({"Adaptation/Combined=true"}, "Adaptation/Estimator: received `none` with Combined = true");
-  expect_refused({estimator, adapt, "Adaptation/Combined=true"},
+  expect_refused({neumann, penalty, "Adaptation/Combined=true"},
+                 "Adaptation/Estimator: received `none` with Combined = true");
+  expect_refused({neumann, penalty, estimator, adapt, "Adaptation/Combined=true"},
                  "Adaptation/Limit: received `0` with Combined");
   expect_refused({estimator, "Adaptation/Limit=0.1"}, "no body adapts");
   expect_refused({adapt}, "Body upper/Adapt: received `true`, but Adaptation/Estimator is none");
   expect_refused({estimator, adapt, "Body upper/Cell type=triangles", "Adaptation/Coarsening=0.1"},
                  "triangles, which cannot be merged");
-  expect_refused({estimator, adapt, "Adaptation/Limit=1", "Adaptation/Combined=true",
+  expect_refused({neumann, penalty, estimator, adapt, "Adaptation/Limit=1", "Adaptation/Combined=true",
                   "Body upper/Conditions=top: resultant: -1"},
                  "carries a resultant");
 }

@@ -91,10 +91,18 @@ TEST(SceneErrors, contacts)
        "Contact interface/Master: received the body `third`, allowed are"},
       {"Contact interface/Master=lower:top", "slave and master are the same side `lower:top`"},
       {"Contact interface/Gap=r1*x", "Contact interface/Gap: `r1*x` is not a formula"},
-      {"Contact interface/Penalty coefficient=0",
-       "Contact interface/Penalty coefficient: received `0`, allowed are numbers above 0: exact contact"},
       {"Contact interface/Penalty=-1", "The entry value -1 for the entry named Penalty does not match"},
   });
+}
+
+TEST(SceneErrors, exact_contact_with_the_scheme_neumann)
+{
+  const SceneFile file(two_squares);
+  const std::string neumann = "Decomposition/Scheme=neumann";
+  expect_phrase(
+      message_of([&] { file.read({neumann}); }),
+      "Contact interface/Penalty coefficient: received `0`, allowed are numbers above 0: exact contact");
+  EXPECT_NO_THROW(file.read({neumann, "Contact interface/Penalty coefficient=0.05"}));
 }
 
 TEST(SceneErrors, the_other_sections)
@@ -173,13 +181,14 @@ TEST(SceneErrors, more_than_one_resultant)
   EXPECT_NO_THROW(file.read({"Body upper/Conditions=top: resultant: 0, -1"}));
   expect_phrase(
       message_of([&] {
-        file.read(
-            {"Body upper/Conditions=top: resultant: 0, -1", "Body lower/Conditions=bottom: resultant: 1"});
+        file.read({"Body upper/Conditions=top: resultant: 0, -1",
+                   "Body lower/Conditions=bottom: resultant: 1", "Decomposition/Scheme=neumann",
+                   "Contact interface/Penalty coefficient=0.05"});
       }),
       "received 2 resultants, one in a scene is allowed for Decomposition/Scheme = neumann; several for "
       "conjugate and newton");
-  EXPECT_NO_THROW(file.read({"Body upper/Conditions=top: resultant: 0, -1", "Decomposition/Scheme=newton",
-                             "Body lower/Conditions=bottom: resultant: 1"}));
+  EXPECT_NO_THROW(file.read(
+      {"Body upper/Conditions=top: resultant: 0, -1", "Body lower/Conditions=bottom: resultant: 1"}));
   expect_phrase(message_of([&] {
                   file.read({"Body upper/Conditions=top: resultant: 0, -1; left: resultant: 1",
                              "Decomposition/Scheme=newton"});

@@ -32,11 +32,21 @@ namespace abut
 
   InterfaceMotions interface_motions(const InterfaceProblem &problem);
 
+  /// The amplitudes that are to be found.
+  struct HeldMotions
+  {
+    std::vector<Eigen::Index> indices;
+    std::vector<std::string> dropped_loads; ///< sentences, see held_motions
+  };
+
   /**
-   * The amplitudes that are to be found. A motion that changes no gap, e.g. the rotation of a disc, which
-   * frictionless contact cannot hold, stays zero: of the amplitudes that make it one is left out. Throws
-   * UserError with the unbalanced resultant where loads act on such a motion, or where no pressures p >= 0
+   * A motion that changes no gap, e.g. the rotation of a disc, which frictionless contact cannot hold, stays
+   * zero: of the amplitudes that make it one is left out. "No gap" is a root mean square over the body's
+   * sides below 1e-3 of the displacement: that much the sides of a round body change by the rounding of its
+   * curve. A load on such a motion, up to ten times that share of the largest load, is left out and told.
+   *
+   * Throws UserError with the unbalanced resultant where larger loads act on it, or where no pressures p >= 0
    * balance the loads of floating bodies.
    */
-  std::vector<Eigen::Index> held_motions(const InterfaceProblem &problem, const InterfaceMotions &motions);
+  HeldMotions held_motions(const InterfaceProblem &problem, const InterfaceMotions &motions);
 } // namespace abut

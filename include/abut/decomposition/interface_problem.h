@@ -27,12 +27,17 @@ namespace abut
     /// First multiplier of a pair.
     Eigen::Index pressure_offset(const std::size_t pair) const { return pressure_offsets_[pair]; }
     const std::vector<ContactPair> &pairs() const { return *pairs_; }
+    /// The pair and the slave node that a multiplier belongs to.
+    std::size_t pair_of(Eigen::Index multiplier) const;
+    const Vector2 &place(Eigen::Index multiplier) const;
     const std::vector<const TraceBody *> &bodies() const { return bodies_; }
 
     /// D_i, zero for a node without multiplier.
     const Eigen::VectorXd &weights() const { return weights_; }
     /// theta of each multiplier's pair.
     const Eigen::VectorXd &penalties() const { return penalties_; }
+    /// k_1 + k_2 of each multiplier's pair: what elastic layers in place of the bodies yield.
+    const Eigen::VectorXd &layer_compliances() const { return layer_compliances_; }
 
     /// The weighted gaps g_i of a response; +infinity for a node without multiplier.
     Eigen::VectorXd gaps(const Eigen::VectorXd &response) const;
@@ -67,7 +72,7 @@ namespace abut
     std::vector<const TraceBody *> bodies_;
     const std::vector<ContactPair> *pairs_;
     std::vector<Eigen::Index> pressure_offsets_;
-    Eigen::VectorXd weights_, penalties_, initial_gap_;
+    Eigen::VectorXd weights_, penalties_, layer_compliances_, initial_gap_;
     /// Per body: the rows of the response that its trace displacements enter (response_size x trace_size).
     std::vector<Eigen::SparseMatrix<double, Eigen::RowMajor>> observers_;
     std::vector<Eigen::Index> displacement_offsets_;

@@ -9,10 +9,11 @@ namespace abut
   struct MotionTerms
   {
     InterfaceMotions all;
-    std::vector<Eigen::Index> held; ///< which of all
-    Eigen::MatrixXd gaps;           ///< G
-    Eigen::MatrixXd stiffness;      ///< H
-    Eigen::VectorXd loads;          ///< e
+    std::vector<Eigen::Index> held;         ///< which of all
+    std::vector<std::string> dropped_loads; ///< on motions that are not held, see held_motions
+    Eigen::MatrixXd gaps;                   ///< G
+    Eigen::MatrixXd stiffness;              ///< H
+    Eigen::VectorXd loads;                  ///< e
     /// G^T ((k_1 + k_2 + theta) D)^-1 G, its diagonal: how stiff elastic layers would hold each motion.
     Eigen::VectorXd layer_stiffness;
 
@@ -26,8 +27,8 @@ namespace abut
     }
     /// The size of the forces that have to balance.
     double force_scale(const Eigen::VectorXd &pressures) const;
-    /// Whether all balance to `share` of the forces, and the round-off of the motions in elastic layers.
-    bool is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes, double share) const;
+    /// Whether all balance to 1e-10 of the forces and the round-off of the motions in elastic layers.
+    bool is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes) const;
   };
 
   /// Throws UserError where contact cannot hold what the loads push (see held_motions).

@@ -63,6 +63,7 @@ namespace abut
                     const MotionTerms &motions, double accuracy, unsigned int maximum_steps);
 
     /// `gaps`: gap integrals under the loads alone. Begins with the positive entries of `pressures` active.
+    /// The observer is told of the last state on each active set.
     PivotResult solve(const Eigen::VectorXd &gaps, const Eigen::VectorXd &pressures,
                       const Eigen::VectorXd &motions, const Observer &observer) const;
 
@@ -76,6 +77,7 @@ namespace abut
                   PivotState &state) const;
     std::vector<Eigen::Index> infeasible(const Eigen::VectorXd &gaps, const PivotState &state,
                                          const std::vector<bool> &active) const;
+    bool in_balance(const PivotState &state) const;
 
     const InterfaceProblem &problem_;
     const PressureOperator &operator_;

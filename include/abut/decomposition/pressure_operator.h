@@ -32,9 +32,13 @@ namespace abut
                                                            const InterfaceCompliance &compliance);
 
   /**
-   * A matrix like C, made of the sides' places and the bodies' depths and moduli alone: C_ij is about D_i D_j
-   * sum_a 2 / (pi E_a) K_0(kappa r_ij), the half-planes' logarithm near by, cut off at the depth of the
-   * bodies. Pairs are taken as independent. A preconditioner: the condition of C grows with the number of
+   * A matrix like C, made of the sides' places and the bodies' depths and moduli alone:
+   *
+   *     C_ij = D_i D_j sum_a 1/(pi E_a) log(1 + (c/r_ij)^2),   c = H/2,
+   *
+   * the half-planes' logarithm near by and nothing beyond the depth H of the bodies. Its symbol, that is 2/E
+   * (1 - exp(-c |k|))/|k|, is positive: 2/(E |k|) of half-planes for short waves, H/E of layers for long
+   * ones. Pairs are taken as independent. A preconditioner: the condition of C grows with the number of
    * nodes, that of the preconditioned one does not.
    */
   Eigen::MatrixXd model_compliance(const InterfaceProblem &problem, const ActiveSet &active);

@@ -5,6 +5,9 @@
 
 namespace abut
 {
+  /// Positive entries with all frequencies in them, the same in every run.
+  Eigen::VectorXd probing_vector(Eigen::Index n);
+
   /**
    * lambda_max = 1 + mu_max / theta of the parallel Neumann scheme, where mu_max is the largest eigenvalue of
    * the interface compliance with respect to the weights D: the scheme contracts for gamma < gamma* = 2 /

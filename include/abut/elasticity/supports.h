@@ -77,7 +77,4 @@ namespace abut
    */
   std::vector<RigidMode> free_rigid_modes(const std::vector<PrescribedComponent> &components,
                                           const Vector2 &centre, double size);
-  /// Their descriptions.
-  std::vector<std::string> free_rigid_motions(const std::vector<PrescribedComponent> &components,
-                                              const Vector2 &centre, double size);
 } // namespace abut

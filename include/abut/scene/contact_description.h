@@ -28,8 +28,8 @@ namespace abut
     Side master;
     std::optional<Expression>
         gap; ///< normal gap in the slave's own frame, before `Scale`; empty: from the geometry
-    double penalty_coefficient = 0.05; ///< c of theta = (c/2) sum H_a/E_a
-    std::optional<double> penalty;     ///< theta itself (length / stress); overrides c
+    double penalty_coefficient = 0.; ///< c of theta = (c/2) sum H_a/E_a
+    std::optional<double> penalty;   ///< theta itself (length / stress); overrides c
 
     /// theta of the pair; the flexibility of a side is H_a/E_a.
     double penalty_between(double slave_flexibility, double master_flexibility) const;

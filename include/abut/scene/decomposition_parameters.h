@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 namespace dealii
 {
@@ -16,6 +17,8 @@ namespace abut
     conjugate, ///< projected conjugate gradients
     newton     ///< primal-dual active set
   };
+  /// As in parameter files.
+  std::string to_string(SchemeKind scheme);
 
   enum class InitialGuess
   {
@@ -40,7 +43,7 @@ namespace abut
   /// What the section `Decomposition` says.
   struct DecompositionParameters
   {
-    SchemeKind scheme = SchemeKind::neumann;
+    SchemeKind scheme = SchemeKind::newton;
     InitialGuess initial_guess = InitialGuess::elastic_layer_response;
     std::optional<double> relaxation; ///< gamma; empty: automatic
     StoppingRule stopping_rule = StoppingRule::bound;

@@ -3,6 +3,7 @@
 
 #include <abut/user_error.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,14 @@ namespace abut
     for (const auto &choice : choices)
       words += (words.empty() ? "" : separator) + choice.first;
     return words;
+  }
+
+  /// The word for a meaning, which must be among the choices.
+  template <typename T> std::string word_of(const Choices<T> &choices, const T meaning)
+  {
+    return std::find_if(choices.begin(), choices.end(),
+                        [&](const auto &choice) { return choice.second == meaning; })
+        ->first;
   }
 
   /// The meaning of a word. Throws UserError, beginning with `where`, when it is not one of them.

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/interface_solver.h>
+#include <abut/decomposition/neumann.h>
+#include <abut/driver/model.h>
+#include <abut/driver/scheme_comparison.h>
+#include <abut/driver/stopwatch.h>
+#include <abut/report/atomic_file.h>
+#include <abut/report/numbers.h>
+#include <abut/report/scheme_table.h>
+#include <abut/user_error.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+namespace abut
+{
+  namespace
+  {
+    using Loads = InterfaceProblem::Loads;
+
+    /// The solution that the others are measured by.
+    struct ReferenceSolution
+    {
+      SchemeResult result;
+      std::unique_ptr<InterfaceSolver> solver;
+      double norm = 0.;
+
+      double distance(const SchemeResult &other) const
+      {
+        const Eigen::VectorXd change = other.traction - result.traction;
+        const double square = change.dot(solver->compliance().apply(change).head(change.size()));
+        return std::sqrt(std::max(square, 0.)) / norm;
+      }
+    };
+
+    ReferenceSolution solve_reference(const InterfaceProblem &problem, DecompositionParameters parameters,
+                                      const Loads &loads)
+    {
+      constexpr double asked = 1e-13, needed = 1e-10; // round-off may leave more than is asked
+      parameters.scheme = SchemeKind::newton;
+      parameters.tolerance = asked;
+      ReferenceSolution reference;
+      reference.solver = std::make_unique<InterfaceSolver>(problem, parameters);
+      reference.result = reference.solver->solve(loads, {}, {});
+      if (!(reference.result.iteration_error <= needed))
+        throw ComputationError("The reference solution has not been found: " + reference.result.message);
+      const Eigen::VectorXd response =
+          loads.response + reference.solver->compliance().apply(reference.result.traction);
+      reference.norm = reference_norm(problem, loads, reference.result.traction, response);
+      return reference;
+    }
+
+    unsigned int count_solves(const Model &model)
+    {
+      unsigned int most = 0;
+      for (const auto &body : model.bodies())
+        most = std::max(most, body->counters().solves);
+      return most;
+    }
+
+    /// Why a scene is beyond the scheme neumann; empty where it is not.
+    std::string beyond_neumann(const Model &model)
+    {
+      for (const auto &body : model.bodies())
+        if (!body->free_rigid_motions().empty())
+          return "not run: contact alone holds the body " + body->name();
+        else if (body->resultant())
+          return "not run: the body " + body->name() +
+                 " carries a given force, which takes several solutions";
+      for (const ContactPair &pair : model.pairs())
+        if (!(pair.penalty() > 0.))
+          return "not run: the contact " + pair.name() + " has no penalty";
+      return {};
+    }
+
+    /// Whether the scheme is worth running; else sets message and prediction.
+    bool can_run(const Model &model, const DecompositionParameters &parameters, SchemeRun &run)
+    {
+      constexpr double most_steps = 25000.;
+      if (parameters.scheme != SchemeKind::neumann)
+        return true;
+      run.message = beyond_neumann(model);
+      if (!run.message.empty())
+        return false;
+      run.predicted_steps =
+          expected_steps(choose_relaxation(model.problem(), parameters), parameters.tolerance);
+      if (*run.predicted_steps > most_steps)
+        run.message = "not run: too many steps";
+      return run.message.empty();
+    }
+
+    SchemeRun run_scheme(const Model &model, const DecompositionParameters &parameters, const Loads &loads,
+                         const ReferenceSolution &reference)
+    {
+      SchemeRun run;
+      run.scheme = to_string(parameters.scheme);
+      if (!can_run(model, parameters, run))
+        return run;
+      const unsigned int solves = count_solves(model);
+      SchemeResult result;
+      run.seconds = 0.;
+      {
+        const Stopwatch watch(run.seconds);
+        result = InterfaceSolver(model.problem(), parameters).solve(loads, {}, {});
+      }
+      run.solves = count_solves(model) - solves;
+      run.steps = result.steps;
+      run.iteration_error = result.iteration_error;
+      run.distance = reference.distance(result);
+      run.message = result.message;
+      return run;
+    }
+  } // namespace
+
+  bool compare_schemes(const std::string &file, const std::vector<std::string> &overrides, const bool quiet,
+                       std::ostream &out)
+  {
+    const Scene scene = Scene::read(file, overrides);
+    if (scene.contacts.empty())
+      throw UserError(file + ": Contacts: received an empty list, schemes are compared on contacts");
+    use_one_blas_thread();
+    Model model(scene, nullptr);
+    make_output_directory(scene.output_directory);
+    Times times;
+    model.prepare(times);
+    const Loads loads = model.problem().loads(0.);
+    DecompositionParameters parameters = scene.decomposition;
+    parameters.stopping_rule = StoppingRule::bound;
+    const ReferenceSolution reference = solve_reference(model.problem(), parameters, loads);
+    std::vector<SchemeRun> runs;
+    for (const SchemeKind kind : {SchemeKind::newton, SchemeKind::conjugate, SchemeKind::neumann})
+    {
+      parameters.scheme = kind;
+      runs.push_back(run_scheme(model, parameters, loads, reference));
+    }
+    const std::string path = (std::filesystem::path(scene.output_directory) / "schemes.csv").string();
+    write_file(path, scheme_csv(runs));
+    if (!quiet)
+      out << model.counts().dofs << " unknowns, " << model.problem().n_pressures()
+          << " of the contact; tolerance " << short_number(parameters.tolerance)
+          << "; distances from a solution to " << short_number(reference.result.iteration_error, 2) << "\n\n"
+          << scheme_table(runs) << "\n  The same in " << path << '\n';
+    return std::all_of(runs.begin(), runs.end(),
+                       [](const SchemeRun &run) { return !run.steps || run.message.empty(); });
+  }
+} // namespace abut
