@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace abut
 {
@@ -14,7 +16,8 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    constexpr double proximal_softness = 1e-2; // of the layers' stiffness
+    constexpr double first_softness_of_steps = 1e-2; // of the layers' stiffness
+    constexpr double last_softness_of_steps = 1e-7;
     constexpr int most_outer_steps = 200;
     constexpr double first_accuracy = .1; // of the gradient, times the tolerance
 
@@ -23,16 +26,18 @@ namespace abut
     {
     public:
       ScaledProblem(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                    const MotionTerms &motions)
+                    const MotionTerms &motions, const double softness)
           : problem_(problem), compliance_(compliance), motions_(motions),
             scaling_(
                 (problem.weights().array() > 0.).select(problem.weights().array().max(1e-300).rsqrt(), 0.)),
-            softness_(proximal_softness * motions.layer_stiffness)
+            softness_(softness * motions.layer_stiffness)
       {
         if (motions.size() > 0)
           factor_.compute(motions.stiffness + Eigen::MatrixXd(softness_.asDiagonal()));
+        norm_ = rough_norm([&](const Eigen::VectorXd &x) { return product(x); }, scaling_.size());
       }
 
+      double norm() const { return norm_; }
       Eigen::VectorXd pressures(const Eigen::VectorXd &x) const { return scaling_.cwiseProduct(x); }
       Eigen::VectorXd scaled(const Eigen::VectorXd &pressures) const
       {
@@ -68,6 +73,7 @@ namespace abut
       const MotionTerms &motions_;
       Eigen::VectorXd scaling_, softness_;
       Eigen::LDLT<Eigen::MatrixXd> factor_;
+      double norm_;
     };
   } // namespace
 
@@ -79,30 +85,30 @@ namespace abut
   SchemeResult ConjugateScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                                       const StepObserver &observer) const
   {
-    const ScaledProblem scaled(problem_, compliance_, motions_);
+    double softness = first_softness_of_steps;
+    auto scaled = std::make_unique<ScaledProblem>(problem_, compliance_, motions_, softness);
     const Eigen::VectorXd gaps = loads.response.head(problem_.n_pressures());
     const LayerGuess layers = layer_guess(problem_, motions_, loads);
-    Eigen::VectorXd x = scaled.scaled(start.traction ? start.traction->cwiseMax(0.) : layers.pressures);
+    Eigen::VectorXd x = scaled->scaled(start.traction ? start.traction->cwiseMax(0.) : layers.pressures);
     Eigen::VectorXd motions = layers.motions;
-    const auto product = [&](const Eigen::VectorXd &v) { return scaled.product(v); };
-    BoundedProblem bounded{product, {}, rough_norm(product, x.size())};
     unsigned int steps = 0;
     const auto count_on = [&](const Eigen::VectorXd &iterate) {
-      const Eigen::VectorXd p = scaled.pressures(iterate);
+      const Eigen::VectorXd p = scaled->pressures(iterate);
       if (observer)
         observer({steps, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
                   problem_.weights().dot(p), p.size() > 0 ? p.maxCoeff() : 0.});
     };
-    double accuracy = first_accuracy * parameters_.tolerance;
+    double accuracy = first_accuracy * parameters_.tolerance, imbalance = 0.;
     for (int outer = 1;; ++outer)
     {
-      bounded.linear = scaled.linear(gaps, motions);
+      const BoundedProblem bounded{[&](const Eigen::VectorXd &v) { return scaled->product(v); },
+                                   scaled->linear(gaps, motions), scaled->norm()};
       const double small =
           accuracy * (bounded.linear.cwiseMin(0.).norm() + std::numeric_limits<double>::min());
       const bool minimal =
           ProjectedGradients(bounded).solve(small, parameters_.maximum_steps, steps, x, count_on);
-      const Eigen::VectorXd p = scaled.pressures(x);
-      motions = scaled.motions_for(p, motions);
+      const Eigen::VectorXd p = scaled->pressures(x);
+      motions = scaled->motions_for(p, motions);
       SchemeResult result = contact_result(problem_, compliance_, motions_, loads, p, motions,
                                            compliance_.apply(p), parameters_.tolerance);
       result.steps = steps;
@@ -121,6 +127,12 @@ namespace abut
         return result;
       }
       accuracy = std::max(.2 * accuracy, 1e-13);
+      const double before = std::exchange(imbalance, motions_.imbalance(p, motions));
+      if (outer > 1 && imbalance > .1 * before && softness > last_softness_of_steps)
+      {
+        softness *= .1;
+        scaled = std::make_unique<ScaledProblem>(problem_, compliance_, motions_, softness);
+      }
     }
   }
 } // namespace abut

@@ -36,9 +36,8 @@ namespace abut
   {
     constexpr double share = 1e-10;
     constexpr double round_off = 100. * std::numeric_limits<double>::epsilon();
-    return size() == 0 ||
-           unbalanced(pressures, amplitudes).cwiseAbs().maxCoeff() <=
-               share * force_scale(pressures) + round_off * layer_stiffness.dot(amplitudes.cwiseAbs());
+    return imbalance(pressures, amplitudes) <=
+           share * force_scale(pressures) + round_off * layer_stiffness.dot(amplitudes.cwiseAbs());
   }
 
   MotionTerms make_motion_terms(const InterfaceProblem &problem)

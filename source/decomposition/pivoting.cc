@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <optional>
 
 namespace abut
 {
@@ -36,18 +37,67 @@ namespace abut
     {
       fewest_ = infeasible.size();
       tries_ = most_tries;
-      seen_.clear();
     }
-    if (tries_ > 0)
+    if (tries_ == 0)
+      return false;
+    --tries_;
+    std::for_each(infeasible.begin(), infeasible.end(), change);
+    return true;
+  }
+
+  std::vector<bool> ActiveSetDescent::active() const
+  {
+    std::vector<bool> result(static_cast<std::size_t>(pressures_.size()));
+    for (Index i = 0; i < pressures_.size(); ++i)
+      result[static_cast<std::size_t>(i)] = pressures_[i] > 0.;
+    return result;
+  }
+
+  void ActiveSetDescent::move_towards(const Eigen::VectorXd &solution, std::vector<bool> &active)
+  {
+    double share = 1.;
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (const auto i = static_cast<Index>(k); active[k] && solution[i] < 0.)
+        share = std::min(share, pressures_[i] / (pressures_[i] - solution[i]));
+    for (std::size_t k = 0; k < active.size(); ++k)
     {
-      --tries_;
-      std::for_each(infeasible.begin(), infeasible.end(), change);
+      const auto i = static_cast<Index>(k);
+      if (!active[k])
+        continue;
+      const bool leaves = solution[i] < 0. && pressures_[i] / (pressures_[i] - solution[i]) <= share;
+      pressures_[i] = leaves ? 0. : pressures_[i] + share * (solution[i] - pressures_[i]);
+      active[k] = !leaves;
+    }
+  }
+
+  bool ActiveSetDescent::enter(const std::vector<Index> &overlapping, std::vector<bool> &active)
+  {
+    if (active == last_minimum_) // what had entered has left at once
+      ++next_alone_;
+    else if (minima_.insert(active).second)
+      next_alone_ = 0;
+    else
+      return false;
+    last_minimum_ = active;
+    if (next_alone_ > overlapping.size())
+      return false;
+    for (std::size_t k = 0; k < overlapping.size(); ++k)
+      if (next_alone_ == 0 || next_alone_ == k + 1)
+        active[static_cast<std::size_t>(overlapping[k])] = true;
+    return true;
+  }
+
+  bool ActiveSetDescent::advance(const Eigen::VectorXd &solution, const std::vector<Index> &infeasible,
+                                 std::vector<bool> &active)
+  {
+    const auto pulls = [&](const Index i) { return active[static_cast<std::size_t>(i)]; };
+    if (std::any_of(infeasible.begin(), infeasible.end(), pulls))
+    {
+      move_towards(solution, active);
       return true;
     }
-    if (!seen_.insert(active).second)
-      return false;
-    change(infeasible.back());
-    return true;
+    pressures_ = solution.cwiseMax(0.);
+    return enter(infeasible, active);
   }
 
   ActiveSetMethod::ActiveSetMethod(const InterfaceProblem &problem, const PressureOperator &pressure_operator,
@@ -96,19 +146,25 @@ namespace abut
       if (problem_.weights()[i] > 0.)
         gap_size = std::max(gap_size, sizes[i] / problem_.weights()[i]);
     const double tolerance = 10. * accuracy_, pressure_size = state.pressures.lpNorm<Eigen::Infinity>();
+    Eigen::VectorXd violation = Eigen::VectorXd::Zero(n);
     std::vector<Index> result;
     for (Index i = 0; i < n; ++i)
-      if (active[static_cast<std::size_t>(i)] ? state.pressures[i] < -tolerance * pressure_size
-                                              : slack[i] < -tolerance * gap_size * problem_.weights()[i])
+    {
+      const bool pressed = active[static_cast<std::size_t>(i)];
+      violation[i] = pressed ? -state.pressures[i] : -slack[i];
+      const double allowed = tolerance * (pressed ? pressure_size : gap_size * problem_.weights()[i]);
+      if (violation[i] > allowed)
         result.push_back(i);
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const Index i, const Index j) { return violation[i] > violation[j]; });
     return result;
   }
 
   bool ActiveSetMethod::in_balance(const PivotState &state) const
   {
-    return motions_.size() == 0 ||
-           motions_.unbalanced(state.pressures, state.motions).cwiseAbs().maxCoeff() <=
-               no_residual * motions_.force_scale(state.pressures);
+    return motions_.imbalance(state.pressures, state.motions) <=
+           no_residual * motions_.force_scale(state.pressures);
   }
 
   PivotResult ActiveSetMethod::solve(const Eigen::VectorXd &gaps, const Eigen::VectorXd &pressures,
@@ -120,6 +176,8 @@ namespace abut
     Eigen::VectorXd softness = first_softness * motions_.layer_stiffness, before = motions;
     PivotResult result;
     BlockPivoting pivoting;
+    std::optional<ActiveSetDescent> descent;
+    Eigen::VectorXd feasible = pressures.cwiseMax(0.);
     Factored system;
     for (int proximal_steps = 0;;)
     {
@@ -138,8 +196,10 @@ namespace abut
       if (wrong.empty() && ++proximal_steps < most_proximal_steps && !in_balance(result.state))
       {
         before = result.state.motions;
+        feasible = result.state.pressures.cwiseMax(0.);
         softness = (.01 * softness).cwiseMax(smallest_softness * motions_.layer_stiffness);
         pivoting = BlockPivoting();
+        descent.reset();
         continue;
       }
       if (observer)
@@ -150,8 +210,13 @@ namespace abut
         return result;
       }
       result.too_many = result.steps >= maximum_steps_;
-      result.cycles = !result.too_many && !pivoting.flip(wrong, active);
-      if (result.too_many || result.cycles)
+      if (result.too_many)
+        return result;
+      if (descent)
+        result.cycles = !descent->advance(result.state.pressures, wrong, active);
+      else if (!pivoting.flip(wrong, active))
+        active = descent.emplace(feasible).active();
+      if (result.cycles)
         return result;
     }
   }

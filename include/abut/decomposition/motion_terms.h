@@ -25,6 +25,11 @@ namespace abut
     {
       return stiffness * amplitudes - loads - gaps.transpose() * pressures;
     }
+    /// The largest unbalanced force; 0 without motions.
+    double imbalance(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes) const
+    {
+      return size() > 0 ? unbalanced(pressures, amplitudes).cwiseAbs().maxCoeff() : 0.;
+    }
     /// The size of the forces that have to balance.
     double force_scale(const Eigen::VectorXd &pressures) const;
     /// Whether all balance to 1e-10 of the forces and the round-off of the motions in elastic layers.

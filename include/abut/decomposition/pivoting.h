@@ -10,21 +10,48 @@
 namespace abut
 {
   /**
-   * Block principal pivoting: all infeasible multipliers change their side; when their number has not
-   * decreased in three tries, only the last one does until it has. Finite for positive definite matrices; see
-   * Judice and Pires, Comput. Oper. Res. 21 (1994) 587. Rounding can make it return to a set nevertheless.
+   * Block principal pivoting: all infeasible multipliers change their side; see Judice and Pires, Comput.
+   * Oper. Res. 21 (1994) 587. A few steps where it works, but it need not end.
    */
   class BlockPivoting
   {
   public:
-    /// Changes `active` (one entry for each multiplier). False where the set comes back while single
-    /// multipliers change: a cycle.
+    /// Changes `active` (one entry for each multiplier). False, with nothing changed, where the number of the
+    /// infeasible has not fallen in three tries.
     bool flip(const std::vector<Eigen::Index> &infeasible, std::vector<bool> &active);
 
   private:
     std::size_t fewest_ = static_cast<std::size_t>(-1);
     int tries_ = 0;
-    std::set<std::vector<bool>> seen_;
+  };
+
+  /**
+   * The way out: pressures p >= 0 move towards the solution on the active set as far as they stay
+   * nonnegative, and those that become zero leave it; where all of the way was gone, those that overlap
+   * enter, all together or, where that led back, the worst alone. The energy falls from one minimum on a set
+   * to the next, so that no set comes back (Lawson and Hanson, Solving Least Squares Problems, 1974, ch. 23).
+   */
+  class ActiveSetDescent
+  {
+  public:
+    /// `pressures` >= 0; the positive ones are active.
+    explicit ActiveSetDescent(const Eigen::VectorXd &pressures) : pressures_(pressures) {}
+
+    std::vector<bool> active() const;
+    /// The next active set, from the solution on the present one and its infeasible multipliers, the worst
+    /// first. False where rounding makes a set come back or nothing can enter.
+    bool advance(const Eigen::VectorXd &solution, const std::vector<Eigen::Index> &infeasible,
+                 std::vector<bool> &active);
+
+  private:
+    /// Moves as far as nothing becomes negative.
+    void move_towards(const Eigen::VectorXd &solution, std::vector<bool> &active);
+    bool enter(const std::vector<Eigen::Index> &overlapping, std::vector<bool> &active);
+
+    Eigen::VectorXd pressures_;
+    std::set<std::vector<bool>> minima_; ///< the sets on which the way was gone
+    std::vector<bool> last_minimum_;
+    std::size_t next_alone_ = 0; ///< which of the overlapping enters alone; 0: all together
   };
 
   /// A state of the active-set iteration: the solution on an active set.
@@ -39,8 +66,8 @@ namespace abut
   {
     PivotState state;
     unsigned int steps = 0; ///< systems on active sets that were solved
-    bool cycles = false;
-    bool too_many = false; ///< steps
+    bool cycles = false;    ///< by rounding
+    bool too_many = false;  ///< steps
     bool balanced = true;
   };
 
@@ -49,7 +76,8 @@ namespace abut
    *
    *     s = (C + theta D) p + G alpha + g_L >= 0,  p >= 0,  p . s = 0,  H alpha = e + G^T p.
    *
-   * Each step solves on the active set. Floating bodies need no contact in the set: H is replaced by H + eps
+   * Each step solves on the active set, which block pivoting changes and, where it does not get on,
+   * ActiveSetDescent. Floating bodies need no contact in the set: H is replaced by H + eps
    * with a pull back to the last alpha (the proximal point method, Rockafellar, SIAM J. Control Optim. 14
    * (1976) 877), which is repeated with ever smaller eps until the bodies balance. The limit does not depend
    * on eps; a motion that the contact leaves undetermined stays where it was.
@@ -75,6 +103,7 @@ namespace abut
     };
     void solve_on(const Factored &system, const Eigen::VectorXd &softness, const Eigen::VectorXd &before,
                   PivotState &state) const;
+    /// The worst first.
     std::vector<Eigen::Index> infeasible(const Eigen::VectorXd &gaps, const PivotState &state,
                                          const std::vector<bool> &active) const;
     bool in_balance(const PivotState &state) const;
