@@ -21,6 +21,16 @@ namespace abut
     constexpr int most_outer_steps = 200;
     constexpr double first_accuracy = .1; // of the gradient, times the tolerance
 
+    std::string unfinished(const bool stalled, const unsigned int maximum_steps)
+    {
+      return stalled
+                 ? "The scheme conjugate does not come nearer to the tolerance; take the scheme newton or "
+                   "raise Decomposition/Tolerance"
+                 : "The scheme conjugate has not reached the tolerance within Decomposition/Maximum steps "
+                   "= " +
+                       std::to_string(maximum_steps);
+    }
+
     /// The problem in sqrt(D) p with the motions eliminated, for one proximal step.
     class ScaledProblem
     {
@@ -117,13 +127,8 @@ namespace abut
         return result;
       if (!minimal || outer == most_outer_steps)
       {
-        result.stopped_by = StoppedBy::maximum_steps;
-        result.message = minimal
-                             ? "The scheme conjugate does not come nearer to the tolerance; take the scheme "
-                               "newton or raise Decomposition/Tolerance"
-                             : "The scheme conjugate has not reached the tolerance within "
-                               "Decomposition/Maximum steps = " +
-                                   std::to_string(parameters_.maximum_steps);
+        result.stopped_by = minimal ? StoppedBy::stalled : StoppedBy::maximum_steps;
+        result.message = unfinished(minimal, parameters_.maximum_steps);
         return result;
       }
       accuracy = std::max(.2 * accuracy, 1e-13);

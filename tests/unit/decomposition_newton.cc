@@ -3,7 +3,6 @@
 #include <abut/decomposition/contact_residual.h>
 #include <abut/decomposition/interface_solver.h>
 #include <abut/decomposition/newton.h>
-#include <abut/decomposition/pivoting.h>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -152,18 +151,6 @@ TEST(DecompositionNewton, ConjugateGradientsFindTheSame)
       EXPECT_GE(result.traction.minCoeff(), 0.);
     }
   }
-}
-
-TEST(DecompositionNewton, PivotingNeverComesBackUnnoticed)
-{
-  // Two entries that always ask for the opposite: single flips come back to a set that was there.
-  BlockPivoting pivoting;
-  std::vector<bool> active = {true, false};
-  int flips = 0;
-  while (flips < 100 && pivoting.flip({0, 1}, active))
-    ++flips;
-  EXPECT_GE(flips, 3); // blocks first
-  EXPECT_LE(flips, 10);
 }
 
 TEST(DecompositionNewton, ModelComplianceKeepsIterationsBounded)
