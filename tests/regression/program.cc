@@ -87,10 +87,22 @@ namespace abut::testing
     EXPECT_FALSE(std::filesystem::exists(answer.directory)) << "something was written";
   }
 
+  nlohmann::json contact(const Answer &answer, const std::string &name)
+  {
+    for (const auto &pair : answer.summary["contacts"])
+      if (pair["name"] == name)
+        return pair;
+    ADD_FAILURE() << "no contact " << name;
+    return {};
+  }
+
   void expect_balance(const Answer &answer)
   {
     for (const auto &body : answer.summary["bodies"])
+    {
       EXPECT_LT(body["equilibrium_residual"].get<double>(), 1e-10) << body["name"];
+      EXPECT_LT(body["moment_residual"].get<double>(), 1e-10) << body["name"];
+    }
   }
 
   std::string project_file(const std::string &name)

@@ -26,7 +26,10 @@ namespace abut::testing
   /// A refusal as it should be: status 1, one line that contains all phrases, nothing written.
   void expect_refused(const Answer &answer, const std::vector<std::string> &phrases);
 
-  /// The forces on every body balance.
+  /// What the summary says of a contact; null, with a failure, where there is none of that name.
+  nlohmann::json contact(const Answer &answer, const std::string &name);
+
+  /// The forces and moments on every body balance.
   void expect_balance(const Answer &answer);
 
   /// The path of a file of the project.

@@ -3,6 +3,7 @@
 #include <abut/decomposition/contact_residual.h>
 #include <abut/decomposition/interface_solver.h>
 #include <abut/decomposition/newton.h>
+#include <abut/user_error.h>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -223,4 +224,41 @@ TEST(DecompositionNewton, AFarMotionHidesNoImbalance)
   EXPECT_FALSE(motions.is_balanced(Eigen::VectorXd::Constant(1, .96), amplitudes));
   EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-11), amplitudes));
   EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-6), amplitudes)); // round-off
+}
+
+namespace
+{
+  /// Two motions of the upper layer: one that opens all gaps, and one that is hardly noticed.
+  InterfaceMotions two_motions(const InterfaceProblem &problem, const double noticed, const double load)
+  {
+    InterfaceMotions motions;
+    motions.responses = Eigen::MatrixXd::Zero(problem.response_size(), 2);
+    motions.responses.col(0).head(problem.n_pressures()) = problem.weights();
+    const Index half = problem.n_pressures() / 2; // closes one half of the side and opens the other
+    motions.responses.col(1).head(half) = noticed * problem.weights().head(half);
+    motions.responses.col(1).segment(problem.n_pressures() - half, half) =
+        -noticed * problem.weights().tail(half);
+    motions.stiffness = Eigen::MatrixXd::Zero(2, 2);
+    motions.loads = Eigen::Vector2d(-1., load);
+    motions.names = {"lift", "slip"};
+    motions.offsets = {0, 2, 2};
+    return motions;
+  }
+} // namespace
+
+TEST(DecompositionNewton, LoadsOnMotionsThatAreHardlyNoticed)
+{
+  const TwoLayers layers(coarse_meshes);
+  const InterfaceProblem &problem = layers.problem();
+  const HeldMotions silent = held_motions(problem, two_motions(problem, 1e-4, 0.));
+  EXPECT_EQ(silent.indices, std::vector<Eigen::Index>{0});
+  EXPECT_TRUE(silent.dropped_loads.empty());
+  const HeldMotions told = held_motions(problem, two_motions(problem, 1e-4, 5e-4));
+  EXPECT_EQ(told.indices, std::vector<Eigen::Index>{0});
+  ASSERT_EQ(told.dropped_loads.size(), 1u);
+  EXPECT_NE(told.dropped_loads[0].find("slip is held by the rounding of a curved contact side alone"),
+            std::string::npos)
+      << told.dropped_loads[0];
+  EXPECT_THROW(held_motions(problem, two_motions(problem, 1e-4, 5e-3)), UserError);
+  EXPECT_EQ(held_motions(problem, two_motions(problem, .1, 0.)).indices, (std::vector<Eigen::Index>{0, 1}));
 }

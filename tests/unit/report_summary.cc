@@ -72,6 +72,7 @@ namespace
       results.iteration.error_is_bound = is_bound;
       std::ostringstream out;
       print_results(out, results, "here", 2.);
+      EXPECT_EQ(summary(results, 2.)["iteration"]["error_is_bound"], is_bound);
       EXPECT_NE(out.str().find(is_bound ? "(energy norm) at most 0.25" : "(energy norm) about 0.25"),
                 std::string::npos)
           << out.str();

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Bodies that contact alone holds and sides that carry given forces, against statics.
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include <cmath>
+
+using namespace abut::testing;
+
+namespace
+{
+  double normal_force(const Answer &answer, const std::string &name)
+  {
+    return contact(answer, name)["normal_force"].get<double>();
+  }
+
+  double force_size(const Answer &answer, const std::string &name)
+  {
+    const auto force = contact(answer, name)["force"];
+    return std::hypot(force[0].get<double>(), force[1].get<double>());
+  }
+
+  /// Area of the polygon that bilinear cells make of a unit disc, n edges to a quarter.
+  double polygon_area(const unsigned int n)
+  {
+    return 2. * n * std::sin(std::acos(0.) / n);
+  }
+} // namespace
+
+TEST(FloatingBodies, ADiscBetweenTwoPlates)
+{
+  const double weight = 2. * polygon_area(32);
+  for (const std::string scheme : {"newton", "conjugate"})
+  {
+    const Answer answer = run_scene("disc-between-plates", {"Decomposition/Scheme=" + scheme});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const double below = contact(answer, "below")["force"][1], above = contact(answer, "above")["force"][1];
+    EXPECT_GT(above, 1.); // on the plates
+    EXPECT_NEAR(below + above, -weight, 1e-9 * weight) << scheme;
+    EXPECT_NEAR(contact(answer, "below")["force"][0].get<double>(), 0., 1e-9 * weight);
+    expect_balance(answer);
+  }
+}
+
+TEST(FloatingBodies, ADiscInAGroove)
+{
+  const double weight = 3. * polygon_area(32);
+  for (const std::string scheme : {"newton", "conjugate"})
+  {
+    const Answer answer = run_scene("v-groove", {"Decomposition/Scheme=" + scheme});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    for (const std::string side : {"left-flank", "right-flank"})
+    {
+      const double x = contact(answer, side)["force"][0], y = contact(answer, side)["force"][1];
+      EXPECT_NEAR(std::hypot(x, y), weight / std::sqrt(2.), 1e-8 * weight);
+      EXPECT_NEAR(y, -.5 * weight, 1e-8 * weight);
+    }
+    expect_balance(answer);
+    const auto steps = column(answer.directory + "/history.csv", "step");
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      EXPECT_GE(steps[i], static_cast<double>(i + 1)); // each of them once
+  }
+}
+
+namespace
+{
+  /// The pile with centres at 45 degrees, where a node of each disc looks at the other: statics of the round
+  /// discs are those of the meshes too, as far as the discs are stiff.
+  std::vector<std::string> pile_at_45_degrees(const std::string &modulus)
+  {
+    std::vector<std::string> overrides = {"Body left/Shift=-1.4142135623730951, 0",
+                                          "Body right/Shift=1.4142135623730951, 0",
+                                          "Body top/Shift=0, 1.4142135623730951",
+                                          "Body left-wall/Shift=-3.4142135623730951, -1",
+                                          "Body right-wall/Shift=2.4142135623730951, -1",
+                                          "Body floor/Size=5, 1",
+                                          "Body floor/Shift=-2.5, -2"};
+    for (const std::string body : {"left", "right", "top", "floor", "left-wall", "right-wall"})
+      overrides.push_back("Body " + body + "/Young modulus=" + modulus);
+    return overrides;
+  }
+} // namespace
+
+// Stiff discs touch at one node each: a wrong set of nodes lets them move far, and blocks of nodes never
+// settle.
+TEST(FloatingBodies, APileOfStiffDiscsIsThatOfStatics)
+{
+  const double weight = 3. * polygon_area(32);
+  for (const std::string scheme : {"newton", "conjugate"})
+    for (const std::string modulus : {"1e4", "5e4", "1e5", "1e7"})
+    {
+      std::vector<std::string> overrides = pile_at_45_degrees(modulus);
+      overrides.push_back("Decomposition/Scheme=" + scheme);
+      const Answer answer = run_scene("pile-of-discs", overrides);
+      ASSERT_EQ(answer.status, 0) << scheme << ' ' << modulus << ": " << answer.err;
+      EXPECT_LE(answer.summary["steps"].get<int>(), scheme == "newton" ? 30 : 1000) << modulus;
+      for (const std::string side : {"left", "right"})
+      {
+        EXPECT_NEAR(force_size(answer, "top-on-" + side), weight / std::sqrt(2.), 1e-7 * weight);
+        EXPECT_NEAR(force_size(answer, side + "-at-wall"), .5 * weight, 1e-7 * weight);
+        EXPECT_NEAR(force_size(answer, side + "-on-floor"), 1.5 * weight, 1e-7 * weight);
+      }
+      expect_balance(answer);
+    }
+}
+
+TEST(FloatingBodies, APileOfThreeDiscs)
+{
+  const double weight = 3. * polygon_area(32);
+  const Answer answer = run_scene("pile-of-discs");
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  // Which node of the discs touches is uncertain by an edge, 0.05: the angles of the forces, in statics too.
+  for (const std::string side : {"left", "right"})
+  {
+    EXPECT_NEAR(force_size(answer, "top-on-" + side), .625 * weight, .02 * weight);
+    EXPECT_NEAR(force_size(answer, side + "-at-wall"), .375 * weight, .02 * weight);
+    EXPECT_NEAR(force_size(answer, side + "-on-floor"), 1.5 * weight, .02 * weight);
+  }
+  EXPECT_NEAR(contact(answer, "left-on-floor")["force"][1].get<double>() +
+                  contact(answer, "right-on-floor")["force"][1].get<double>(),
+              -3. * weight, 1e-9 * weight); // all that carries vertical loads is the straight floor
+  expect_balance(answer);
+}
+
+// The nodes of a disc's side look away from its centre: its rotation changes no gap.
+TEST(FloatingBodies, AMomentOnADiscIsRefused)
+{
+  expect_refused(run_scene("pile-of-discs", {"Body top/Body force=0.001*y, -3"}),
+                 {"Body top", "rotation about (0, 1.6)", "no contact resists this motion"});
+}
+
+// A rigid side is not held by contact where its own body resists, whatever the unit of length.
+TEST(FloatingBodies, ARigidSideFarFromContact)
+{
+  for (const std::string scale : {"1e-6", "1", "1e7"})
+  {
+    const std::string column =
+        "set Bodies = column\nsubsection Body column\n  set Size = 2, 3\n  set Scale = " + scale +
+        "\n  set Cells = 4, 6\n  set Young modulus = 7\n  set Conditions = "
+        "left: normal displacement: 0; bottom: normal displacement: 0; "
+        "top: resultant: 0, -5\nend\n";
+    const Answer answer = run({temporary_file("column.prm", column)});
+    ASSERT_EQ(answer.status, 0) << scale << ": " << answer.err;
+    EXPECT_NEAR(answer.summary["bodies"][0]["reactions"]["bottom"][1].get<double>(), 5., 1e-9) << scale;
+  }
+}
+
+namespace
+{
+  /// A block that lies between the plates, touching both on its whole sides.
+  std::vector<std::string> block(const std::string &force)
+  {
+    return {"Body disc/Shape=rectangle",
+            "Body disc/Size=2, 2",
+            "Body disc/Shift=-1, -1",
+            "Body disc/Body force=" + force,
+            "Body upper/Conditions=top: displacement: 0, 0",
+            "Contact below/Master=disc:bottom",
+            "Contact above/Master=disc:top"};
+  }
+} // namespace
+
+TEST(FloatingBodies, TouchingWithoutForce)
+{
+  for (const std::string scheme : {"Decomposition/Scheme=newton", "Decomposition/Scheme=conjugate"})
+  {
+    std::vector<std::string> weightless_block = block("0, 0");
+    weightless_block.push_back(scheme);
+    for (const Answer &answer : {run_scene("disc-between-plates", weightless_block),
+                                 run_scene("v-groove", {"Body disc/Body force=0, 0", scheme})})
+    {
+      ASSERT_EQ(answer.status, 0) << scheme << ": " << answer.err;
+      for (const auto &pair : answer.summary["contacts"])
+        EXPECT_LT(pair["normal_force"].get<double>(), 1e-9) << scheme;
+    }
+  }
+}
+
+TEST(FloatingBodies, LoadsThatContactCannotBalance)
+{
+  expect_refused(run_scene("v-groove", {"Body disc/Body force=0, 3"}),
+                 {"Body disc", "translation along (0, 1)", "held by contact alone", "a resultant of 9.42",
+                  "unbalanced"});
+  // 0.25 times the area sideways: frictionless plates do not hold it
+  expect_refused(run_scene("disc-between-plates", block("0.25, -1")),
+                 {"Body disc", "translation along (1, 0)", "a resultant of 1 along it"});
+  expect_refused(
+      run_scene("v-groove", {"Decomposition/Scheme=neumann", "Contact left-flank/Penalty coefficient=0.01",
+                             "Contact right-flank/Penalty coefficient=0.01"}),
+      {"Body disc", "held by contact alone", "newton or conjugate"});
+}
+
+TEST(FloatingBodies, SeveralRigidSidesWithGivenForces)
+{
+  const Answer answer = run_scene(
+      "three-bodies", {"Decomposition/Scheme=newton", "Decomposition/Tolerance=1e-9",
+                       "Body steel/Conditions=left: normal displacement: 0; top: resultant: 0, -45"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_NEAR(normal_force(answer, "left"), 45., 45e-10);
+  EXPECT_NEAR(normal_force(answer, "right"), 60., 60e-10);
+  EXPECT_LE(answer.summary["steps"].get<int>(), 10);
+  expect_balance(answer);
+}
+
+TEST(FloatingBodies, AForceAsAnUnknownIsThatOfTheSecant)
+{
+  const std::vector<std::string> coarse = {"Decomposition/Tolerance=1e-8",
+                                           "Contact left/Penalty coefficient=0.05",
+                                           "Contact right/Penalty coefficient=0.05"};
+  std::vector<std::string> by_secant = coarse;
+  by_secant.emplace_back("Decomposition/Scheme=neumann");
+  const Answer secant = run_scene("three-bodies", by_secant), unknown = run_scene("three-bodies", coarse);
+  ASSERT_EQ(secant.status, 0) << secant.err;
+  ASSERT_EQ(unknown.status, 0) << unknown.err;
+  const double delta = secant.summary["iteration"]["rigid_displacement"];
+  EXPECT_NEAR(unknown.summary["iteration"]["rigid_displacement"].get<double>(), delta,
+              1e-6 * std::abs(delta));
+  EXPECT_NEAR(normal_force(unknown, "left"), normal_force(secant, "left"),
+              1e-6 * normal_force(secant, "left"));
+}
