@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/conjugate.h>
+#include <abut/decomposition/contact_guess.h>
 #include <abut/decomposition/newton.h>
+#include <abut/decomposition/pressure_operator.h>
 #include <abut/decomposition/projected_gradients.h>
 
 #include <Eigen/Cholesky>
@@ -89,7 +91,8 @@ namespace abut
 
   ConjugateScheme::ConjugateScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                                    const MotionTerms &motions, const DecompositionParameters &parameters)
-      : problem_(problem), compliance_(compliance), motions_(motions), parameters_(parameters)
+      : problem_(problem), compliance_(compliance), motions_(motions), parameters_(parameters),
+        residual_(problem, compliance)
   {}
 
   SchemeResult ConjugateScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
@@ -98,9 +101,10 @@ namespace abut
     double softness = first_softness_of_steps;
     auto scaled = std::make_unique<ScaledProblem>(problem_, compliance_, motions_, softness);
     const Eigen::VectorXd gaps = loads.response.head(problem_.n_pressures());
-    const LayerGuess layers = layer_guess(problem_, motions_, loads);
-    Eigen::VectorXd x = scaled->scaled(start.traction ? start.traction->cwiseMax(0.) : layers.pressures);
-    Eigen::VectorXd motions = layers.motions;
+    const ContactGuess guess = guess_contact(
+        problem_, motions_, loads, suits_model(compliance_) ? model_compliance(problem_) : Eigen::MatrixXd());
+    Eigen::VectorXd x = scaled->scaled(start.traction ? start.traction->cwiseMax(0.) : guess.pressures);
+    Eigen::VectorXd motions = guess.motions;
     unsigned int steps = 0;
     const auto count_on = [&](const Eigen::VectorXd &iterate) {
       const Eigen::VectorXd p = scaled->pressures(iterate);
@@ -119,7 +123,7 @@ namespace abut
           ProjectedGradients(bounded).solve(small, parameters_.maximum_steps, steps, x, count_on);
       const Eigen::VectorXd p = scaled->pressures(x);
       motions = scaled->motions_for(p, motions);
-      SchemeResult result = contact_result(problem_, compliance_, motions_, loads, p, motions,
+      SchemeResult result = contact_result(problem_, residual_, motions_, loads, p, motions,
                                            compliance_.apply(p), parameters_.tolerance);
       result.steps = steps;
       const bool balanced = motions_.is_balanced(p, motions);

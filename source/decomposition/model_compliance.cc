@@ -37,25 +37,21 @@ namespace abut
     };
   } // namespace
 
-  Eigen::MatrixXd model_compliance(const InterfaceProblem &problem, const ActiveSet &active)
+  Eigen::MatrixXd model_compliance(const InterfaceProblem &problem)
   {
-    const auto n = static_cast<Index>(active.size());
+    const Index n = problem.n_pressures();
+    const Eigen::VectorXd &weights = problem.weights();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
     for (Index j = 0; j < n; ++j)
     {
-      const Index column = active[static_cast<std::size_t>(j)];
-      const std::size_t pair = problem.pair_of(column);
+      const std::size_t pair = problem.pair_of(j);
       const ModelKernel kernel(problem.pairs()[pair]);
-      const Vector2 &here = problem.place(column);
-      const double weight = problem.weights()[column];
-      matrix(j, j) = weight * weight * kernel.own(weight);
-      for (Index i = j + 1; i < n; ++i)
-      {
-        const Index row = active[static_cast<std::size_t>(i)];
-        if (problem.pair_of(row) == pair)
-          matrix(i, j) = matrix(j, i) =
-              weight * problem.weights()[row] * kernel.at((problem.place(row) - here).norm());
-      }
+      const Vector2 &here = problem.place(j);
+      if (weights[j] > 0.)
+        matrix(j, j) = weights[j] * weights[j] * kernel.own(weights[j]);
+      const Index end = problem.pressure_offset(pair) + problem.pairs()[pair].n_multipliers();
+      for (Index i = j + 1; i < end; ++i)
+        matrix(i, j) = matrix(j, i) = weights[j] * weights[i] * kernel.at((problem.place(i) - here).norm());
     }
     return matrix;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/decomposition/contact_residual.h>
+#include <abut/decomposition/contact_guess.h>
 #include <abut/decomposition/neumann.h>
 #include <abut/decomposition/newton.h>
 #include <abut/decomposition/pivoting.h>
@@ -35,10 +35,9 @@ namespace abut
     class StepReport
     {
     public:
-      StepReport(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                 const MotionTerms &motions, const InterfaceProblem::Loads &loads,
-                 const StepObserver &observer)
-          : problem_(problem), compliance_(compliance), motions_(motions), loads_(loads), observer_(observer),
+      StepReport(const InterfaceProblem &problem, const ContactResidual &residual, const MotionTerms &motions,
+                 const InterfaceProblem::Loads &loads, const StepObserver &observer)
+          : problem_(problem), residual_(residual), motions_(motions), loads_(loads), observer_(observer),
             before_(loads.response)
       {}
 
@@ -50,8 +49,7 @@ namespace abut
         before_ = response;
         if (!observer_)
           return;
-        const double error =
-            contact_residual(problem_, compliance_, loads_, state.pressures, state.response, response, false);
+        const double error = residual_.algebraic(loads_, state.pressures, state.response, response);
         observer_({step, increment_, error, problem_.weights().dot(state.pressures),
                    state.pressures.size() > 0 ? state.pressures.maxCoeff() : 0.});
       }
@@ -59,7 +57,7 @@ namespace abut
 
     private:
       const InterfaceProblem &problem_;
-      const InterfaceCompliance &compliance_;
+      const ContactResidual &residual_;
       const MotionTerms &motions_;
       const InterfaceProblem::Loads &loads_;
       const StepObserver &observer_;
@@ -68,20 +66,7 @@ namespace abut
     };
   } // namespace
 
-  LayerGuess layer_guess(const InterfaceProblem &problem, const MotionTerms &motions,
-                         const InterfaceProblem::Loads &loads)
-  {
-    constexpr unsigned int most_steps = 1000;
-    const auto layers = make_layer_operator(problem);
-    const Index n = problem.n_pressures();
-    const Eigen::VectorXd gaps = loads.response.head(n);
-    const PivotState state = ActiveSetMethod(problem, *layers, motions, direct_accuracy, most_steps)
-                                 .solve(gaps, (-gaps).cwiseMax(0.), Eigen::VectorXd::Zero(motions.size()), {})
-                                 .state;
-    return {state.pressures.cwiseMax(0.), state.motions};
-  }
-
-  SchemeResult contact_result(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+  SchemeResult contact_result(const InterfaceProblem &problem, const ContactResidual &residual,
                               const MotionTerms &motions, const InterfaceProblem::Loads &loads,
                               const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
                               const Eigen::VectorXd &pressure_response, const double tolerance)
@@ -91,35 +76,34 @@ namespace abut
     result.motions = motions.amplitudes(amplitudes);
     result.response = loads.response + pressure_response + motions.all.responses * result.motions;
     result.iterate = result.response;
-    const auto error = [&](const bool guaranteed) {
-      return contact_residual(problem, compliance, loads, result.traction, pressure_response, result.response,
-                              guaranteed);
-    };
     const bool bounded =
         motions.size() == 0 && problem.n_pressures() > 0 && (problem.penalties().array() > 0.).all();
     if (bounded)
-      result.iteration_error = error(true);
+      result.iteration_error =
+          residual.guaranteed(loads, result.traction, pressure_response, result.response);
     result.error_is_bound = bounded && result.iteration_error <= tolerance;
     if (!result.error_is_bound)
-      result.iteration_error = error(false);
+      result.iteration_error = residual.algebraic(loads, result.traction, pressure_response, result.response);
     result.stopped_by = result.error_is_bound ? StoppedBy::bound : StoppedBy::residual;
     return result;
   }
 
   NewtonScheme::NewtonScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                              const MotionTerms &motions, const DecompositionParameters &parameters)
-      : problem_(problem), compliance_(compliance), motions_(motions), parameters_(parameters)
+      : problem_(problem), compliance_(compliance), motions_(motions), parameters_(parameters),
+        residual_(problem, compliance)
   {}
 
   SchemeResult NewtonScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                                    const StepObserver &observer) const
   {
-    const auto contact = make_pressure_operator(problem_, compliance_);
-    const LayerGuess layers = layer_guess(problem_, motions_, loads);
-    Eigen::VectorXd pressures = start.traction ? *start.traction : layers.pressures, motions = layers.motions;
+    const Eigen::MatrixXd model = suits_model(compliance_) ? model_compliance(problem_) : Eigen::MatrixXd();
+    const auto contact = make_pressure_operator(problem_, compliance_, model);
+    const ContactGuess guess = guess_contact(problem_, motions_, loads, model);
+    Eigen::VectorXd pressures = start.traction ? *start.traction : guess.pressures, motions = guess.motions;
     double accuracy =
         compliance_.is_dense() ? direct_accuracy : std::max(.01 * parameters_.tolerance, direct_accuracy);
-    StepReport report(problem_, compliance_, motions_, loads, observer);
+    StepReport report(problem_, residual_, motions_, loads, observer);
     unsigned int steps = 0;
     for (int tightened = 0;; ++tightened)
     {
@@ -135,7 +119,7 @@ namespace abut
       // An unfinished state may pull: what is reported answers the pressures that push.
       const Eigen::VectorXd response =
           message.empty() ? pivots.state.response : compliance_.apply(pivots.state.pressures.cwiseMax(0.));
-      SchemeResult result = contact_result(problem_, compliance_, motions_, loads, pivots.state.pressures,
+      SchemeResult result = contact_result(problem_, residual_, motions_, loads, pivots.state.pressures,
                                            pivots.state.motions, response, parameters_.tolerance);
       result.steps = steps;
       result.increment = report.increment();

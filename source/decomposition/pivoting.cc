@@ -177,6 +177,8 @@ namespace abut
     PivotResult result;
     BlockPivoting pivoting;
     std::optional<ActiveSetDescent> descent;
+    std::size_t fewest =
+        static_cast<std::size_t>(-1); // infeasible multipliers so far, and the pressures then
     Eigen::VectorXd feasible = pressures.cwiseMax(0.);
     Factored system;
     for (int proximal_steps = 0;;)
@@ -200,6 +202,7 @@ namespace abut
         softness = (.01 * softness).cwiseMax(smallest_softness * motions_.layer_stiffness);
         pivoting = BlockPivoting();
         descent.reset();
+        fewest = static_cast<std::size_t>(-1);
         continue;
       }
       if (observer)
@@ -212,6 +215,11 @@ namespace abut
       result.too_many = result.steps >= maximum_steps_;
       if (result.too_many)
         return result;
+      if (wrong.size() < fewest)
+      {
+        fewest = wrong.size();
+        feasible = result.state.pressures.cwiseMax(0.);
+      }
       if (descent)
         result.cycles = !descent->advance(result.state.pressures, wrong, active);
       else if (!pivoting.flip(wrong, active))

@@ -130,16 +130,56 @@ namespace abut
       }
     };
 
+    /// The model and theta D on an active set, made safely positive definite.
+    Eigen::LLT<Eigen::MatrixXd> factorise_model(const InterfaceProblem &problem, const Eigen::MatrixXd &model,
+                                                const ActiveSet &active)
+    {
+      Eigen::MatrixXd matrix = model(active, active);
+      const Eigen::VectorXd own = matrix.diagonal();
+      matrix.diagonal() += penalty_terms(problem, active);
+      Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+      for (int i = 0; i < 10 && factor.info() != Eigen::Success; ++i)
+      {
+        matrix.diagonal() += own;
+        factor.compute(matrix);
+      }
+      if (factor.info() != Eigen::Success)
+        factor.compute(Eigen::MatrixXd(matrix.diagonal().asDiagonal()));
+      return factor;
+    }
+
+    class ModelOperator : public PressureOperator
+    {
+    public:
+      ModelOperator(const InterfaceProblem &problem, const Eigen::MatrixXd &model)
+          : problem_(problem), model_(model)
+      {}
+
+      Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const override { return model_ * pressures; }
+      Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
+                            double) const override
+      {
+        return factorise_model(problem_, model_, active).solve(right_sides);
+      }
+
+    private:
+      const InterfaceProblem &problem_;
+      const Eigen::MatrixXd &model_;
+    };
+
     /// Preconditioned conjugate gradients on the active set.
     class IterativeOperator : public BodiesOperator
     {
     public:
-      using BodiesOperator::BodiesOperator;
+      IterativeOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                        const Eigen::MatrixXd &model)
+          : BodiesOperator(problem, compliance), model_(model)
+      {}
 
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
                             const double accuracy) const override
       {
-        const Eigen::LLT<Eigen::MatrixXd> preconditioner = precondition(active);
+        const Eigen::LLT<Eigen::MatrixXd> preconditioner = factorise_model(problem_, model_, active);
         Eigen::MatrixXd solutions(right_sides.rows(), right_sides.cols());
         for (Index k = 0; k < right_sides.cols(); ++k)
           solutions.col(k) = iterate(active, preconditioner, right_sides.col(k), accuracy);
@@ -147,22 +187,6 @@ namespace abut
       }
 
     private:
-      Eigen::LLT<Eigen::MatrixXd> precondition(const ActiveSet &active) const
-      {
-        Eigen::MatrixXd matrix = model_compliance(problem_, active);
-        const Eigen::VectorXd own = matrix.diagonal();
-        matrix.diagonal() += penalty_terms(problem_, active);
-        Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-        for (int i = 0; i < 10 && factor.info() != Eigen::Success; ++i)
-        {
-          matrix.diagonal() += own;
-          factor.compute(matrix);
-        }
-        if (factor.info() != Eigen::Success)
-          factor.compute(Eigen::MatrixXd(matrix.diagonal().asDiagonal()));
-        return factor;
-      }
-
       Eigen::VectorXd iterate(const ActiveSet &active, const Eigen::LLT<Eigen::MatrixXd> &preconditioner,
                               const Eigen::VectorXd &right_side, const double accuracy) const
       {
@@ -195,6 +219,8 @@ namespace abut
         }
         return x;
       }
+
+      const Eigen::MatrixXd &model_;
     };
   } // namespace
 
@@ -203,11 +229,18 @@ namespace abut
     return std::make_unique<LayerOperator>(problem);
   }
 
+  std::unique_ptr<PressureOperator> make_model_operator(const InterfaceProblem &problem,
+                                                        const Eigen::MatrixXd &model)
+  {
+    return std::make_unique<ModelOperator>(problem, model);
+  }
+
   std::unique_ptr<PressureOperator> make_pressure_operator(const InterfaceProblem &problem,
-                                                           const InterfaceCompliance &compliance)
+                                                           const InterfaceCompliance &compliance,
+                                                           const Eigen::MatrixXd &model)
   {
     if (!compliance.is_dense())
-      return std::make_unique<IterativeOperator>(problem, compliance);
+      return std::make_unique<IterativeOperator>(problem, compliance, model);
     if (compliance.blocks().size() == 1)
       return std::make_unique<DenseOperator>(problem, compliance);
     return std::make_unique<BlockOperator>(problem, compliance);

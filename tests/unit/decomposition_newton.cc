@@ -102,31 +102,41 @@ TEST(DecompositionNewton, ExactContactIsComplementary)
 
 TEST(DecompositionNewton, TheAlgebraicErrorIsOnTheSafeSide)
 {
-  // Exact contact, pressures off by smooth and rough amounts. The error is right for those that alternate
-  // from node to node, and too large by H/h = 8 at most for smooth ones.
-  const TwoLayers layers(
-      coarse_with({"Decomposition/Scheme=newton", "Contact interface/Penalty coefficient=0"}));
-  const InterfaceProblem &problem = layers.problem();
-  const Index n = problem.n_pressures();
-  const Eigen::MatrixXd z = compliance_matrix(problem);
-  const auto compliance = make_compliance(problem, ComplianceMode::dense, 0.);
-  const Eigen::VectorXd exact = newton(layers, ComplianceMode::dense, 1e-9).traction;
-  const Eigen::ArrayXd count = Eigen::ArrayXd::LinSpaced(n, 0., static_cast<double>(n - 1));
-  for (const double size : {1e-1, 1e-3, 1e-6})
-    for (const double waves : {0., .2, 1., 3.14159})
-      for (const double spread : {0., 1.})
-      {
-        const Eigen::ArrayXd wave = size * (waves * count).cos();
-        const Eigen::VectorXd p =
-            (exact.array() * (1. + wave) + spread * size * exact.maxCoeff() * wave.abs()).matrix();
-        const Eigen::VectorXd answer = z * p;
-        const double algebraic = contact_residual(problem, *compliance, layers.loads(), p, answer,
-                                                  layers.loads().response + answer, false);
-        const double error = energy_distance(z, p - exact) / layers.energy_norm(p);
-        std::printf("size %g, waves %g, spread %g: %.3f\n", size, waves, spread, algebraic / error);
-        EXPECT_GT(algebraic, .9 * error) << size << ' ' << waves << ' ' << spread;
-        EXPECT_LT(algebraic, 1.2 * 8. * error) << size << ' ' << waves << ' ' << spread;
-      }
+  // Exact contact, pressures off by smooth and rough amounts. Between equal bodies the error is right within
+  // a factor of 2 for those that alternate from node to node, and too large by H/h = 8 times that at most for
+  // smooth ones. On a stiff slave with finer cells rough pressures cost less still.
+  for (const bool equal : {true, false})
+  {
+    const TwoLayers layers(
+        coarse_with({"Decomposition/Scheme=newton", "Contact interface/Penalty coefficient=0",
+                     equal ? "Body upper/Young modulus=2.1e5" : "Body upper/Young modulus=2.1e1"}));
+    const InterfaceProblem &problem = layers.problem();
+    const Index n = problem.n_pressures();
+    const Eigen::MatrixXd z = compliance_matrix(problem);
+    const auto compliance = make_compliance(problem, ComplianceMode::dense, 0.);
+    const ContactResidual residual(problem, *compliance);
+    const Eigen::VectorXd exact = newton(layers, ComplianceMode::dense, 1e-9).traction;
+    const Eigen::ArrayXd count = Eigen::ArrayXd::LinSpaced(n, 0., static_cast<double>(n - 1));
+    for (const double size : {1e-1, 1e-3, 1e-6})
+      for (const double waves : {0., .2, 1., 3.14159})
+        for (const double spread : {0., 1.})
+        {
+          const Eigen::ArrayXd wave = size * (waves * count).cos();
+          const Eigen::VectorXd p =
+              (exact.array() * (1. + wave) + spread * size * exact.maxCoeff() * wave.abs()).matrix();
+          const Eigen::VectorXd answer = z * p;
+          const double algebraic =
+              residual.algebraic(layers.loads(), p, answer, layers.loads().response + answer);
+          const double error = energy_distance(z, p - exact) / layers.energy_norm(p);
+          std::printf("equal %d, size %g, waves %g, spread %g: %.3f\n", equal, size, waves, spread,
+                      algebraic / error);
+          EXPECT_GT(algebraic, .9 * error) << equal << ' ' << size << ' ' << waves << ' ' << spread;
+          if (equal)
+          {
+            EXPECT_LT(algebraic, 2. * 8. * error) << size << ' ' << waves << ' ' << spread;
+          }
+        }
+  }
 }
 
 TEST(DecompositionNewton, TheNeumannSchemeMakesNothingOfIt)
@@ -163,11 +173,8 @@ TEST(DecompositionNewton, ModelComplianceKeepsIterationsBounded)
     const TwoLayers layers(
         {std::string("Body upper/Cells=") + cells, std::string("Body lower/Cells=") + cells});
     const Index n = layers.problem().n_pressures();
-    ActiveSet all;
-    for (Index i = 0; i < n; ++i)
-      all.push_back(i);
     const Eigen::MatrixXd c = compliance_matrix(layers.problem()).topRows(n),
-                          model = model_compliance(layers.problem(), all);
+                          model = model_compliance(layers.problem());
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(c, model, Eigen::EigenvaluesOnly);
     conditions.push_back(solver.eigenvalues()[n - 1] / solver.eigenvalues()[0]);
     std::printf("%s: condition %.3g, preconditioned %.3g\n", cells,
@@ -201,7 +208,9 @@ TEST(DecompositionNewton, AnUnfinishedRunGuaranteesNothing)
   for (const char *const scheme : {"newton", "conjugate"})
     for (const char *const steps : {"1", "1000"})
     {
-      const TwoLayers layers(coarse_with({std::string("Decomposition/Scheme=") + scheme,
+      const TwoLayers layers(coarse_with({"Body upper/Cells=48, 12", "Body lower/Cells=64, 16",
+                                          "Contact interface/Penalty coefficient=1e-3",
+                                          std::string("Decomposition/Scheme=") + scheme,
                                           std::string("Decomposition/Maximum steps=") + steps}));
       const SchemeResult result =
           InterfaceSolver(layers.problem(), layers.parameters()).solve(layers.loads(), {}, {});

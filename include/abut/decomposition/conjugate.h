@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/decomposition/contact_residual.h>
 #include <abut/decomposition/motion_terms.h>
 #include <abut/decomposition/scheme.h>
 
@@ -28,5 +29,6 @@ namespace abut
     const InterfaceCompliance &compliance_;
     const MotionTerms &motions_;
     DecompositionParameters parameters_;
+    ContactResidual residual_;
   };
 } // namespace abut

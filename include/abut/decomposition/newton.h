@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/decomposition/contact_residual.h>
 #include <abut/decomposition/motion_terms.h>
 #include <abut/decomposition/pressure_operator.h>
 #include <abut/decomposition/scheme.h>
@@ -9,12 +10,12 @@ namespace abut
 {
   /**
    * Primal-dual active set (semismooth Newton) on the interface problem, theta = 0 (exact contact) included;
-   * see ActiveSetMethod. The first active set is that of the elastic layers, or where the start's traction
+   * see ActiveSetMethod. The first active set is that of guess_contact, or where the start's traction
    * presses. A step is one system on an active set; their number does not grow with 1/theta or with the
    * stiffness ratio of the bodies.
    *
    * Iteration error: the guaranteed bound where it applies and meets the tolerance, else the algebraic one
-   * (see contact_residual).
+   * (see ContactResidual).
    */
   class NewtonScheme : public Scheme
   {
@@ -30,20 +31,12 @@ namespace abut
     const InterfaceCompliance &compliance_;
     const MotionTerms &motions_;
     DecompositionParameters parameters_;
+    ContactResidual residual_;
   };
-
-  /// Pressures and motions of elastic layers in place of the bodies, from the same conditions of contact and
-  /// balance.
-  struct LayerGuess
-  {
-    Eigen::VectorXd pressures, motions;
-  };
-  LayerGuess layer_guess(const InterfaceProblem &problem, const MotionTerms &motions,
-                         const InterfaceProblem::Loads &loads);
 
   /// The result of pressures and amplitudes of held motions, with its iteration error. `message` is left
   /// empty.
-  SchemeResult contact_result(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+  SchemeResult contact_result(const InterfaceProblem &problem, const ContactResidual &residual,
                               const MotionTerms &motions, const InterfaceProblem::Loads &loads,
                               const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
                               const Eigen::VectorXd &pressure_response, double tolerance);

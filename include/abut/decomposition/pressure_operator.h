@@ -26,10 +26,21 @@ namespace abut
   /// Elastic layers in place of the bodies: C = (k_1 + k_2) D.
   std::unique_ptr<PressureOperator> make_layer_operator(const InterfaceProblem &problem);
 
+  /// The model compliance in place of C, which must outlive the operator.
+  std::unique_ptr<PressureOperator> make_model_operator(const InterfaceProblem &problem,
+                                                        const Eigen::MatrixXd &model);
+
   /// By factorisation where the compliance is a matrix: dense for one block, sparse for more. Otherwise by
-  /// conjugate gradients with `model_compliance` as preconditioner.
+  /// conjugate gradients with the model compliance, which must outlive the operator, as preconditioner.
   std::unique_ptr<PressureOperator> make_pressure_operator(const InterfaceProblem &problem,
-                                                           const InterfaceCompliance &compliance);
+                                                           const InterfaceCompliance &compliance,
+                                                           const Eigen::MatrixXd &model);
+
+  /// Whether the model compliance, one matrix, is worth making: not where C is in blocks of many bodies.
+  inline bool suits_model(const InterfaceCompliance &compliance)
+  {
+    return compliance.blocks().size() <= 1;
+  }
 
   /**
    * A matrix like C, made of the sides' places and the bodies' depths and moduli alone:
@@ -41,5 +52,5 @@ namespace abut
    * ones. Pairs are taken as independent. A preconditioner: the condition of C grows with the number of
    * nodes, that of the preconditioned one does not.
    */
-  Eigen::MatrixXd model_compliance(const InterfaceProblem &problem, const ActiveSet &active);
+  Eigen::MatrixXd model_compliance(const InterfaceProblem &problem);
 } // namespace abut

@@ -39,7 +39,7 @@ namespace abut
   enum class StoppedBy
   {
     bound,
-    residual, ///< the algebraic error of the contact law, see contact_residual
+    residual, ///< the algebraic error of the contact law, see ContactResidual
     increment,
     maximum_steps,
     stalled
@@ -62,7 +62,7 @@ namespace abut
     /// the part of u that contact makes (energy norm, same mesh). NaN where there is no bound; after the
     /// increment rule it belongs to the iterate before the last, which for gamma < gamma* is no better.
     double iteration_error = std::numeric_limits<double>::quiet_NaN();
-    /// False: `iteration_error` is an algebraic error, see contact_residual, whatever stopped the scheme.
+    /// False: `iteration_error` is an algebraic error, see ContactResidual, whatever stopped the scheme.
     bool error_is_bound = true;
     double increment = 0.;
     double relaxation = 0.; ///< gamma
