@@ -129,6 +129,19 @@ namespace abut
 
   namespace
   {
+    /// A stiff slave whose nodes feel the edges of the master's larger cells.
+    bool has_rough_pressure(const ContactPair &pair, const std::vector<std::unique_ptr<Body>> &bodies)
+    {
+      constexpr double much_stiffer = 10.;
+      const auto modulus = [](const ContactBody &side) { return side.depth / side.flexibility; };
+      const auto cell = [&](const ContactBody &side) {
+        const Trace &trace = bodies[side.body]->contact_sides()[side.side];
+        return trace.length() / static_cast<double>(trace.segments().size());
+      };
+      return pair.penalty() == 0. && modulus(pair.slave()) > much_stiffer * modulus(pair.master()) &&
+             cell(pair.slave()) < .99 * cell(pair.master());
+    }
+
     /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
     std::string underestimated_body(const Scene &scene, const std::vector<std::unique_ptr<Body>> &bodies)
     {
@@ -156,14 +169,13 @@ namespace abut
     if (solver_ && solver_->motions() != nullptr)
       sentences.insert(sentences.end(), solver_->motions()->dropped_loads.begin(),
                        solver_->motions()->dropped_loads.end());
-    constexpr double much_stiffer = 10.;
     for (const ContactPair &pair : pairs())
-      if (pair.penalty() == 0. && much_stiffer * pair.slave().flexibility < pair.master().flexibility)
+      if (has_rough_pressure(pair, bodies()))
         sentences.push_back(
             "Contact " + pair.name() +
             ": with exact contact the pressure is rough where the slave is much stiffer than the "
             "master and its cells are finer; take the softer body as slave (Contact " +
-            pair.name() + "/Slave, Master), or a penalty");
+            pair.name() + "/Slave, Master), coarser cells for the slave, or a penalty");
     const bool even_degree = std::any_of(bodies().begin(), bodies().end(),
                                          [](const auto &body) { return body->space().degree() == 2; });
     if (scene_.adaptation.estimator == EstimatorKind::zz && even_degree)
