@@ -2,7 +2,6 @@
 #include <abut/decomposition/conjugate.h>
 #include <abut/decomposition/contact_guess.h>
 #include <abut/decomposition/newton.h>
-#include <abut/decomposition/pressure_operator.h>
 #include <abut/decomposition/projected_gradients.h>
 
 #include <Eigen/Cholesky>
@@ -37,15 +36,14 @@ namespace abut
     class ScaledProblem
     {
     public:
-      ScaledProblem(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                    const MotionTerms &motions, const double softness)
-          : problem_(problem), compliance_(compliance), motions_(motions),
+      ScaledProblem(const ContactSystem &system, const double softness)
+          : problem_(system.problem), compliance_(system.compliance), motions_(system.motions),
             scaling_(
-                (problem.weights().array() > 0.).select(problem.weights().array().max(1e-300).rsqrt(), 0.)),
-            softness_(softness * motions.layer_stiffness)
+                (problem_.weights().array() > 0.).select(problem_.weights().array().max(1e-300).rsqrt(), 0.)),
+            softness_(softness * motions_.layer_stiffness)
       {
-        if (motions.size() > 0)
-          factor_.compute(motions.stiffness + Eigen::MatrixXd(softness_.asDiagonal()));
+        if (motions_.size() > 0)
+          factor_.compute(motions_.stiffness + Eigen::MatrixXd(softness_.asDiagonal()));
         norm_ = rough_norm([&](const Eigen::VectorXd &x) { return product(x); }, scaling_.size());
       }
 
@@ -89,28 +87,20 @@ namespace abut
     };
   } // namespace
 
-  ConjugateScheme::ConjugateScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                                   const MotionTerms &motions, const DecompositionParameters &parameters)
-      : problem_(problem), compliance_(compliance), motions_(motions), parameters_(parameters),
-        residual_(problem, compliance)
-  {}
-
   SchemeResult ConjugateScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                                       const StepObserver &observer) const
   {
     double softness = first_softness_of_steps;
-    auto scaled = std::make_unique<ScaledProblem>(problem_, compliance_, motions_, softness);
-    const Eigen::VectorXd gaps = loads.response.head(problem_.n_pressures());
-    const ContactGuess guess = guess_contact(
-        problem_, motions_, loads, suits_model(compliance_) ? model_compliance(problem_) : Eigen::MatrixXd());
-    Eigen::VectorXd x = scaled->scaled(start.traction ? start.traction->cwiseMax(0.) : guess.pressures);
-    Eigen::VectorXd motions = guess.motions;
+    auto scaled = std::make_unique<ScaledProblem>(system_, softness);
+    const Eigen::VectorXd gaps = loads.response.head(system_.problem.n_pressures());
+    const ContactGuess guess = guess_contact(system_, loads, start.traction);
+    Eigen::VectorXd x = scaled->scaled(guess.pressures), motions = guess.motions;
     unsigned int steps = 0;
     const auto count_on = [&](const Eigen::VectorXd &iterate) {
       const Eigen::VectorXd p = scaled->pressures(iterate);
       if (observer)
         observer({steps, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
-                  problem_.weights().dot(p), p.size() > 0 ? p.maxCoeff() : 0.});
+                  system_.problem.weights().dot(p), p.size() > 0 ? p.maxCoeff() : 0.});
     };
     double accuracy = first_accuracy * parameters_.tolerance, imbalance = 0.;
     for (int outer = 1;; ++outer)
@@ -123,10 +113,10 @@ namespace abut
           ProjectedGradients(bounded).solve(small, parameters_.maximum_steps, steps, x, count_on);
       const Eigen::VectorXd p = scaled->pressures(x);
       motions = scaled->motions_for(p, motions);
-      SchemeResult result = contact_result(problem_, residual_, motions_, loads, p, motions,
-                                           compliance_.apply(p), parameters_.tolerance);
+      SchemeResult result =
+          contact_result(system_, loads, p, motions, system_.compliance.apply(p), parameters_.tolerance);
       result.steps = steps;
-      const bool balanced = motions_.is_balanced(p, motions);
+      const bool balanced = system_.motions.is_balanced(p, motions);
       if (balanced && result.iteration_error <= parameters_.tolerance)
         return result;
       if (!minimal || outer == most_outer_steps)
@@ -136,11 +126,11 @@ namespace abut
         return result;
       }
       accuracy = std::max(.2 * accuracy, 1e-13);
-      const double before = std::exchange(imbalance, motions_.imbalance(p, motions));
+      const double before = std::exchange(imbalance, system_.motions.imbalance(p, motions));
       if (outer > 1 && imbalance > .1 * before && softness > last_softness_of_steps)
       {
         softness *= .1;
-        scaled = std::make_unique<ScaledProblem>(problem_, compliance_, motions_, softness);
+        scaled = std::make_unique<ScaledProblem>(system_, softness);
       }
     }
   }

@@ -6,28 +6,33 @@ namespace abut
 {
   namespace
   {
-    ContactGuess solve_with(const PressureOperator &pressure_operator, const InterfaceProblem &problem,
-                            const MotionTerms &motions, const InterfaceProblem::Loads &loads,
-                            const ContactGuess &start)
+    /// The solution with another operator in place of C; the start where that has none.
+    ContactGuess solve_with(const PressureOperator &pressure_operator, const ContactSystem &system,
+                            const InterfaceProblem::Loads &loads, const ContactGuess &start)
     {
       constexpr double accuracy = 1e-13;
       constexpr unsigned int most_steps = 1000;
-      const PivotState state =
-          ActiveSetMethod(problem, pressure_operator, motions, accuracy, most_steps)
-              .solve(loads.response.head(problem.n_pressures()), start.pressures, start.motions, {})
-              .state;
-      return {state.pressures.cwiseMax(0.), state.motions};
+      const PivotResult result =
+          ActiveSetMethod(system.problem, pressure_operator, system.motions, accuracy, most_steps)
+              .solve(loads.response.head(system.problem.n_pressures()), start.pressures, start.motions, {});
+      if (result.cycles || result.too_many || !result.balanced)
+        return start;
+      return {result.state.pressures.cwiseMax(0.), result.state.motions};
     }
   } // namespace
 
-  ContactGuess guess_contact(const InterfaceProblem &problem, const MotionTerms &motions,
-                             const InterfaceProblem::Loads &loads, const Eigen::MatrixXd &model)
+  ContactGuess guess_contact(const ContactSystem &system, const InterfaceProblem::Loads &loads,
+                             const std::optional<Eigen::VectorXd> &pressures)
   {
-    const ContactGuess overlap{(-loads.response.head(problem.n_pressures())).cwiseMax(0.),
-                               Eigen::VectorXd::Zero(motions.size())};
-    const ContactGuess layers = solve_with(*make_layer_operator(problem), problem, motions, loads, overlap);
-    return model.size() > 0
-               ? solve_with(*make_model_operator(problem, model), problem, motions, loads, layers)
-               : layers;
+    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(system.motions.size());
+    if (pressures && system.motions.size() == 0)
+      return {pressures->cwiseMax(0.), at_rest};
+    const Eigen::VectorXd overlap = (-loads.response.head(system.problem.n_pressures())).cwiseMax(0.);
+    const ContactGuess layers =
+        solve_with(*make_layer_operator(system.problem), system, loads, {overlap, at_rest});
+    ContactGuess guess = solve_with(system.model, system, loads, layers);
+    if (pressures)
+      guess.pressures = pressures->cwiseMax(0.);
+    return guess;
   }
 } // namespace abut

@@ -11,13 +11,7 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-
-    double largest_gap(const InterfaceProblem &problem, const Eigen::VectorXd &gaps)
-    {
-      return gaps.size() > 0 ? (problem.weights().array() > 0.).select(gaps.array().abs(), 0.).maxCoeff()
-                             : 0.;
-    }
-  } // namespace
+  }
 
   Eigen::VectorXd node_softness(const InterfaceProblem &problem)
   {
@@ -31,21 +25,57 @@ namespace abut
     return result;
   }
 
+  namespace
+  {
+    /// The multipliers of a pair with a weight, along the slave side.
+    std::vector<Index> along_side(const InterfaceProblem &problem, const std::size_t pair)
+    {
+      const ContactBody &slave = problem.pairs()[pair].slave();
+      const std::vector<double> &places =
+          problem.bodies()[slave.body]->contact_sides()[slave.side].node_arc_lengths();
+      const Index first = problem.pressure_offset(pair);
+      std::vector<Index> order;
+      for (Index k = 0; k < problem.pairs()[pair].n_multipliers(); ++k)
+        if (problem.weights()[first + k] > 0.)
+          order.push_back(first + k);
+      const auto place = [&](const Index i) { return places[static_cast<std::size_t>(i - first)]; };
+      std::sort(order.begin(), order.end(),
+                [&](const Index i, const Index j) { return place(i) < place(j); });
+      return order;
+    }
+
+    /// Sum over up to `reach` neighbours on both sides.
+    double sum_around(const std::vector<Index> &order, const std::size_t k, const Eigen::VectorXd &values)
+    {
+      constexpr std::size_t reach = 2;
+      double sum = 0.;
+      for (std::size_t j = k - std::min(k, reach); j < std::min(k + reach + 1, order.size()); ++j)
+        sum += values[order[j]];
+      return sum;
+    }
+  } // namespace
+
   ContactResidual::ContactResidual(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
       : problem_(problem), compliance_(compliance), beta_(node_softness(problem))
   {
-    const Index n = problem.n_pressures();
-    const Eigen::VectorXd alternating = Eigen::VectorXd::NullaryExpr(n, [&](const Index i) {
-      return problem.weights()[i] == 0. ? 0. : i % 2 == 0 ? 1. : -1.;
-    });
-    const Eigen::VectorXd work = compliance.apply(alternating).head(n).cwiseProduct(alternating);
-    for (std::size_t i = 0; i < problem.pairs().size(); ++i)
+    std::vector<std::vector<Index>> orders;
+    Eigen::VectorXd alternating = Eigen::VectorXd::Zero(problem.n_pressures());
+    for (std::size_t pair = 0; pair < problem.pairs().size(); ++pair)
     {
-      const auto own = Eigen::seqN(problem.pressure_offset(i), problem.pairs()[i].n_multipliers());
-      const double softness = work(own).sum() / problem.weights()(own).squaredNorm();
-      if (softness > 0.) // not where all is held
-        beta_(own) = softness * problem.weights()(own);
+      orders.push_back(along_side(problem, pair));
+      for (std::size_t k = 0; k < orders.back().size(); ++k)
+        alternating[orders.back()[k]] = k % 2 == 0 ? 1. : -1.;
     }
+    const Eigen::VectorXd work =
+        compliance.apply(alternating).head(alternating.size()).cwiseProduct(alternating);
+    const Eigen::VectorXd squares = problem.weights().cwiseAbs2();
+    for (const std::vector<Index> &order : orders)
+      for (std::size_t k = 0; k < order.size(); ++k)
+      {
+        const double softness = sum_around(order, k, work) / sum_around(order, k, squares);
+        if (softness > 0.) // not where all is held
+          beta_[order[k]] = std::min(beta_[order[k]], softness * problem.weights()[order[k]]);
+      }
   }
 
   double ContactResidual::guaranteed(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,
@@ -60,11 +90,14 @@ namespace abut
                                     const Eigen::VectorXd &pressure_response,
                                     const Eigen::VectorXd &response) const
   {
-    const Eigen::VectorXd gaps = problem_.gaps(response), left = residual(pressures, gaps, beta_);
+    const Eigen::VectorXd left = residual(pressures, problem_.gaps(response), beta_);
     // Also of bodies that touch without force: there is nothing to compare with.
-    const double round_off = 1e-14 * largest_gap(problem_, gaps);
-    const Eigen::VectorXd lengths = left.cwiseProduct(problem_.penalties() + beta_);
-    if (!left.isZero(0.) && lengths.lpNorm<Eigen::Infinity>() <= round_off)
+    const Index n = pressures.size();
+    const Eigen::VectorXd terms = loads.response.head(n).cwiseAbs() + pressure_response.head(n).cwiseAbs() +
+                                  (response - loads.response - pressure_response).head(n).cwiseAbs();
+    const Eigen::ArrayXd lengths =
+        left.array().abs() * (problem_.penalties() + beta_).array() * problem_.weights().array();
+    if (!left.isZero(0.) && (lengths <= 1e-14 * terms.array()).all())
       return std::numeric_limits<double>::epsilon();
     return relative(left, loads, pressures, pressure_response);
   }

@@ -118,13 +118,32 @@ namespace abut
 
   namespace
   {
-    /// The loads on a motion that no contact resists: refused where they are more than the curve's rounding
-    /// can explain, else told by a sentence.
+    /// The body that an amplitude belongs to.
+    std::size_t body_of(const InterfaceMotions &motions, const Index amplitude)
+    {
+      const auto after = std::upper_bound(motions.offsets.begin(), motions.offsets.end(), amplitude);
+      return static_cast<std::size_t>(after - motions.offsets.begin()) - 1;
+    }
+
+    /// The largest load on a body that takes part in a motion.
+    double largest_load(const InterfaceMotions &motions, const Eigen::VectorXd &motion)
+    {
+      constexpr double noticeable = 1e-6;
+      double largest = 0.;
+      for (Index k = 0; k < motions.size(); ++k)
+        if (std::abs(motion[k]) > noticeable)
+          largest =
+              std::max(largest, motions.of_body(motions.loads, body_of(motions, k)).cwiseAbs().maxCoeff());
+      return largest;
+    }
+
+    /// The loads on a motion that contact hardly notices: refused where they are more than that explains,
+    /// else told by a sentence.
     std::string dropped_load(const InterfaceMotions &motions, const Eigen::VectorXd &loose,
                              const double noticed_share)
     {
       constexpr double round_off = 1e-9; // of the largest load
-      const double load = loose.dot(motions.loads), largest = motions.loads.cwiseAbs().maxCoeff();
+      const double load = loose.dot(motions.loads), largest = largest_load(motions, loose);
       if (std::abs(load) <= round_off * largest)
         return {};
       if (std::abs(load) > 10. * noticed_share * largest)
@@ -134,9 +153,10 @@ namespace abut
       std::ostringstream text;
       text.precision(3);
       text << motions.names[static_cast<std::size_t>(worst)]
-           << " is held by the rounding of a curved contact side alone: a resultant of " << load
-           << " along it (force, or moment over the body's extent), " << 100. * std::abs(load) / largest
-           << " % of the largest load, is left out; add a displacement condition that carries it";
+           << " hardly changes a gap (the straight edges of a round side's mesh do as much): a resultant of "
+           << load << " along it (force, or moment over the body's extent), "
+           << 100. * std::abs(load) / largest
+           << " % of the body's largest load, is left out; add a displacement condition that carries it";
       return text.str();
     }
 
@@ -153,10 +173,14 @@ namespace abut
       const Eigen::MatrixXd forces =
           motions.responses(Eigen::seqN(0, problem.n_pressures()), floating).transpose();
       const NonnegativeFit fit = nonnegative_fit(forces, demand);
+      const Eigen::VectorXd rest = forces * fit.x - demand;
+      // Of what acts on each motion, the loads and the contacts.
+      constexpr double accuracy = 1e-12; // of the fit
+      const Eigen::VectorXd sizes = demand.cwiseAbs() + forces.cwiseAbs() * fit.x;
+      const double round_off = accuracy * motions.loads.cwiseAbs().maxCoeff();
       Eigen::VectorXd unbalanced = Eigen::VectorXd::Zero(motions.size());
-      unbalanced(floating) = forces * fit.x - demand;
-      const double load_size = motions.loads.cwiseAbs().maxCoeff();
-      if (fit.optimal && unbalanced.cwiseAbs().maxCoeff() > balanced * load_size)
+      unbalanced(floating) = rest;
+      if (fit.optimal && (rest.array().abs() > balanced * sizes.array() + round_off).any())
         refuse(motions, unbalanced, "no pressures that push balance the loads");
     }
   } // namespace

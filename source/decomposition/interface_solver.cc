@@ -19,17 +19,17 @@ namespace abut
 
   namespace
   {
-    /// Solves of each body that a scheme takes where the compliance is not a matrix, times 2.5: as much
-    /// dearer is a solve for one right side than its share in a solve for 32 (both measured; see
-    /// contrib/schemes).
+    /// Solves of each body from which on a scheme is cheaper without the matrix: those it takes then, about
+    /// 40, times the factor by which a solve for one right side is dearer than its share in a solve for 32
+    /// (measured by `abut schemes` with either compliance: as fast at some 180).
     double expected_solves(const DecompositionParameters &parameters, const double relaxation,
-                           const std::optional<MotionTerms> &motions)
+                           const std::size_t n_motions)
     {
       constexpr double of_active_sets = 160., of_conjugate_gradients = 100.;
       switch (parameters.scheme)
       {
       case SchemeKind::newton:
-        return of_active_sets * static_cast<double>(1 + motions->size()); // right sides
+        return of_active_sets * static_cast<double>(1 + n_motions); // right sides
       case SchemeKind::conjugate:
         return of_conjugate_gradients;
       case SchemeKind::neumann:
@@ -42,14 +42,20 @@ namespace abut
   InterfaceSolver::InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters)
       : problem_(problem), parameters_(parameters)
   {
+    const auto make = [&](const std::size_t n_motions) {
+      return make_compliance(problem, parameters.compliance,
+                             expected_solves(parameters, relaxation_, n_motions));
+    };
     if (parameters.scheme == SchemeKind::neumann)
+    {
       relaxation_ = choose_relaxation(problem, parameters);
-    else
-      motions_ = make_motion_terms(problem);
-    compliance_ =
-        make_compliance(problem, parameters.compliance, expected_solves(parameters, relaxation_, motions_));
-    if (motions_)
-      held_.emplace(problem, *compliance_, *motions_);
+      compliance_ = make(0);
+      return;
+    }
+    MotionTerms motions = make_motion_terms(problem);
+    compliance_ = make(static_cast<std::size_t>(motions.size()));
+    system_ = std::make_unique<ContactSystem>(problem, *compliance_, std::move(motions));
+    held_.emplace(problem, *compliance_, system_->motions);
   }
 
   SchemeResult InterfaceSolver::solve(const InterfaceProblem::Loads &loads,
@@ -67,8 +73,8 @@ namespace abut
     if (state.traction)
       (*state.traction)(held_->indices()).setZero();
     if (parameters.scheme == SchemeKind::newton)
-      return NewtonScheme(problem_, *compliance_, *motions_, parameters).solve(opened, state, observer);
-    return ConjugateScheme(problem_, *compliance_, *motions_, parameters).solve(opened, state, observer);
+      return NewtonScheme(*system_, parameters).solve(opened, state, observer);
+    return ConjugateScheme(*system_, parameters).solve(opened, state, observer);
   }
 
   SchemeResult InterfaceSolver::solve_neumann(const InterfaceProblem::Loads &loads,

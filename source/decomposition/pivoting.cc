@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace abut
@@ -33,7 +34,7 @@ namespace abut
     const auto change = [&](const Index i) {
       active[static_cast<std::size_t>(i)] = !active[static_cast<std::size_t>(i)];
     };
-    if (infeasible.size() < fewest_)
+    if (is_progress(infeasible.size()))
     {
       fewest_ = infeasible.size();
       tries_ = most_tries;
@@ -146,15 +147,18 @@ namespace abut
       if (problem_.weights()[i] > 0.)
         gap_size = std::max(gap_size, sizes[i] / problem_.weights()[i]);
     const double tolerance = 10. * accuracy_, pressure_size = state.pressures.lpNorm<Eigen::Infinity>();
-    Eigen::VectorXd violation = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd violation = Eigen::VectorXd::Zero(n); // by what is allowed
     std::vector<Index> result;
     for (Index i = 0; i < n; ++i)
     {
       const bool pressed = active[static_cast<std::size_t>(i)];
-      violation[i] = pressed ? -state.pressures[i] : -slack[i];
       const double allowed = tolerance * (pressed ? pressure_size : gap_size * problem_.weights()[i]);
-      if (violation[i] > allowed)
+      const double missing = pressed ? -state.pressures[i] : -slack[i];
+      if (missing > allowed)
+      {
+        violation[i] = missing / std::max(allowed, std::numeric_limits<double>::min());
         result.push_back(i);
+      }
     }
     std::stable_sort(result.begin(), result.end(),
                      [&](const Index i, const Index j) { return violation[i] > violation[j]; });
@@ -177,9 +181,7 @@ namespace abut
     PivotResult result;
     BlockPivoting pivoting;
     std::optional<ActiveSetDescent> descent;
-    std::size_t fewest =
-        static_cast<std::size_t>(-1); // infeasible multipliers so far, and the pressures then
-    Eigen::VectorXd feasible = pressures.cwiseMax(0.);
+    Eigen::VectorXd feasible; // of the set with the fewest infeasible multipliers
     Factored system;
     for (int proximal_steps = 0;;)
     {
@@ -198,11 +200,9 @@ namespace abut
       if (wrong.empty() && ++proximal_steps < most_proximal_steps && !in_balance(result.state))
       {
         before = result.state.motions;
-        feasible = result.state.pressures.cwiseMax(0.);
         softness = (.01 * softness).cwiseMax(smallest_softness * motions_.layer_stiffness);
         pivoting = BlockPivoting();
         descent.reset();
-        fewest = static_cast<std::size_t>(-1);
         continue;
       }
       if (observer)
@@ -215,11 +215,8 @@ namespace abut
       result.too_many = result.steps >= maximum_steps_;
       if (result.too_many)
         return result;
-      if (wrong.size() < fewest)
-      {
-        fewest = wrong.size();
+      if (!descent && pivoting.is_progress(wrong.size()))
         feasible = result.state.pressures.cwiseMax(0.);
-      }
       if (descent)
         result.cycles = !descent->advance(result.state.pressures, wrong, active);
       else if (!pivoting.flip(wrong, active))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/decomposition/pressure_operator.h>
+#include <abut/decomposition/model_compliance.h>
 #include <abut/elasticity/sparse_cholesky.h>
 #include <abut/user_error.h>
 
@@ -19,8 +19,7 @@ namespace abut
     {
       throw ComputationError(
           "The interface compliance is not positive definite: some contact nodes can move on neither side. "
-          "Let "
-          "the contact sides end before held nodes, or give the contacts a small Penalty coefficient");
+          "Let the contact sides end before held nodes, or give the contacts a small Penalty coefficient");
     }
 
     /// theta D on an active set.
@@ -130,56 +129,19 @@ namespace abut
       }
     };
 
-    /// The model and theta D on an active set, made safely positive definite.
-    Eigen::LLT<Eigen::MatrixXd> factorise_model(const InterfaceProblem &problem, const Eigen::MatrixXd &model,
-                                                const ActiveSet &active)
-    {
-      Eigen::MatrixXd matrix = model(active, active);
-      const Eigen::VectorXd own = matrix.diagonal();
-      matrix.diagonal() += penalty_terms(problem, active);
-      Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-      for (int i = 0; i < 10 && factor.info() != Eigen::Success; ++i)
-      {
-        matrix.diagonal() += own;
-        factor.compute(matrix);
-      }
-      if (factor.info() != Eigen::Success)
-        factor.compute(Eigen::MatrixXd(matrix.diagonal().asDiagonal()));
-      return factor;
-    }
-
-    class ModelOperator : public PressureOperator
-    {
-    public:
-      ModelOperator(const InterfaceProblem &problem, const Eigen::MatrixXd &model)
-          : problem_(problem), model_(model)
-      {}
-
-      Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const override { return model_ * pressures; }
-      Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
-                            double) const override
-      {
-        return factorise_model(problem_, model_, active).solve(right_sides);
-      }
-
-    private:
-      const InterfaceProblem &problem_;
-      const Eigen::MatrixXd &model_;
-    };
-
     /// Preconditioned conjugate gradients on the active set.
     class IterativeOperator : public BodiesOperator
     {
     public:
       IterativeOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                        const Eigen::MatrixXd &model)
+                        const ModelCompliance &model)
           : BodiesOperator(problem, compliance), model_(model)
       {}
 
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
                             const double accuracy) const override
       {
-        const Eigen::LLT<Eigen::MatrixXd> preconditioner = factorise_model(problem_, model_, active);
+        const ModelCompliance::Factor preconditioner(model_, active);
         Eigen::MatrixXd solutions(right_sides.rows(), right_sides.cols());
         for (Index k = 0; k < right_sides.cols(); ++k)
           solutions.col(k) = iterate(active, preconditioner, right_sides.col(k), accuracy);
@@ -187,7 +149,7 @@ namespace abut
       }
 
     private:
-      Eigen::VectorXd iterate(const ActiveSet &active, const Eigen::LLT<Eigen::MatrixXd> &preconditioner,
+      Eigen::VectorXd iterate(const ActiveSet &active, const ModelCompliance::Factor &preconditioner,
                               const Eigen::VectorXd &right_side, const double accuracy) const
       {
         constexpr int most_iterations = 1000;
@@ -208,7 +170,7 @@ namespace abut
           if (i == most_iterations)
             throw ComputationError("Conjugate gradients on the active contact nodes have not converged in " +
                                    std::to_string(most_iterations) +
-                                   " iterations; set Decomposition/Compliance to dense");
+                                   " iterations; set Decomposition/Interface compliance to dense");
           x += rho / curvature * direction;
           residual -= rho / curvature * product;
           z = preconditioner.solve(residual);
@@ -220,7 +182,7 @@ namespace abut
         return x;
       }
 
-      const Eigen::MatrixXd &model_;
+      const ModelCompliance &model_;
     };
   } // namespace
 
@@ -229,15 +191,9 @@ namespace abut
     return std::make_unique<LayerOperator>(problem);
   }
 
-  std::unique_ptr<PressureOperator> make_model_operator(const InterfaceProblem &problem,
-                                                        const Eigen::MatrixXd &model)
-  {
-    return std::make_unique<ModelOperator>(problem, model);
-  }
-
   std::unique_ptr<PressureOperator> make_pressure_operator(const InterfaceProblem &problem,
                                                            const InterfaceCompliance &compliance,
-                                                           const Eigen::MatrixXd &model)
+                                                           const ModelCompliance &model)
   {
     if (!compliance.is_dense())
       return std::make_unique<IterativeOperator>(problem, compliance, model);

@@ -14,6 +14,17 @@
 
 namespace abut
 {
+  namespace
+  {
+    /// Pressures that the contact law makes of the displacement; without a penalty any that push satisfy it
+    /// as far as they meet no gap.
+    Eigen::VectorXd pressures_by_law(const InterfaceProblem &problem, const SchemeResult &iteration)
+    {
+      return (problem.penalties().array() > 0.)
+          .select(problem.pressures(iteration.response), iteration.traction);
+    }
+  } // namespace
+
   void Simulation::count_boundary_elements(const BoundaryCost &cost, Results &results)
   {
     cost_.boundary += cost;
@@ -35,9 +46,10 @@ namespace abut
       return;
     const Stopwatch watch(results.times.estimate);
     const bool by_law = estimates_by_law();
+    const Eigen::VectorXd law =
+        by_law ? pressures_by_law(model_->problem(), results.iteration) : Eigen::VectorXd();
     for (std::size_t a = 0; by_law && a < bodies().size(); ++a)
-      results.bodies[a].contact_forces =
-          model_->problem().contact_forces(a, model_->problem().pressures(results.iteration.response));
+      results.bodies[a].contact_forces = model_->problem().contact_forces(a, law);
     estimation_ = estimate(*indicator_, scene_.adaptation, results.bodies);
     if (by_law)
       estimation_.law_mismatch = law_mismatch(pairs(), results.bodies);
@@ -55,8 +67,7 @@ namespace abut
   bool Simulation::estimates_by_law() const
   {
     return scene_.adaptation.estimator == EstimatorKind::fe_be && !scene_.adaptation.combined &&
-           scene_.adaptation.boundary_solution != BoundarySolution::finite_element_trace &&
-           (model_->problem().penalties().array() > 0.).all();
+           scene_.adaptation.boundary_solution != BoundarySolution::finite_element_trace;
   }
 
   namespace

@@ -1,34 +1,33 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/decomposition/contact_residual.h>
-#include <abut/decomposition/motion_terms.h>
+#include <abut/decomposition/contact_system.h>
 #include <abut/decomposition/scheme.h>
 
 namespace abut
 {
   /**
    * Projected conjugate gradients on min_{p >= 0} p . (C + theta D) p / 2 + p . g, in the variables
-   * sqrt(D_i) p_i; theta = 0 (exact contact) included. A step is one solve of every body. Motions of floating
-   * bodies and rigid sides are eliminated by proximal steps as in ActiveSetMethod, which is the augmented
-   * Lagrangian of the conditions of balance.
+   * sqrt(D_i) p_i; theta = 0 (exact contact) included. A step is one solve of every body; a dozen more
+   * estimate the norm, and one for each proximal step measures the error. Motions of floating bodies and
+   * rigid sides are eliminated by proximal steps as in ActiveSetMethod, which is the augmented Lagrangian of
+   * the conditions of balance.
    *
    * Iteration error: as for the scheme newton.
    */
   class ConjugateScheme : public Scheme
   {
   public:
-    ConjugateScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                    const MotionTerms &motions, const DecompositionParameters &parameters);
+    /// The system must outlive the scheme.
+    ConjugateScheme(const ContactSystem &system, const DecompositionParameters &parameters)
+        : system_(system), parameters_(parameters)
+    {}
 
     SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                        const StepObserver &observer) const override;
 
   private:
-    const InterfaceProblem &problem_;
-    const InterfaceCompliance &compliance_;
-    const MotionTerms &motions_;
+    const ContactSystem &system_;
     DecompositionParameters parameters_;
-    ContactResidual residual_;
   };
 } // namespace abut

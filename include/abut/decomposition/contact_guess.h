@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/decomposition/motion_terms.h>
+#include <abut/decomposition/contact_system.h>
+
+#include <optional>
 
 namespace abut
 {
@@ -13,10 +15,9 @@ namespace abut
 
   /**
    * The solution for elastic layers in place of the bodies, from the same conditions of contact and balance,
-   * and then, begun with that, the one for the model compliance, unless `model` is empty: half-planes' and
-   * layers' behaviour in one, which brings the edge of the contact within a few nodes. Costs no solve of a
-   * body.
+   * and then, begun with that, the one for the model compliance, which knows half-planes as well. Costs no
+   * solve of a body. With `pressures` given, those are taken, and only motions are guessed.
    */
-  ContactGuess guess_contact(const InterfaceProblem &problem, const MotionTerms &motions,
-                             const InterfaceProblem::Loads &loads, const Eigen::MatrixXd &model);
+  ContactGuess guess_contact(const ContactSystem &system, const InterfaceProblem::Loads &loads,
+                             const std::optional<Eigen::VectorXd> &pressures);
 } // namespace abut

@@ -25,10 +25,11 @@ namespace abut
                       const Eigen::VectorXd &pressure_response, const Eigen::VectorXd &response) const;
 
     /**
-     * beta_i = s D_i, where s = a . C a / |D a|^2 is what a pair's sides yield under pressures a that
-     * alternate from node to node: an algebraic error, also for theta = 0. No bound, but on the safe side:
-     * right for errors that alternate, where C is smallest, and too large by up to H/h, or by what a stiff
-     * fine slave yields less than its master, for smooth ones (a test compares).
+     * beta_i = s_i D_i, where s_i = a . C a / |D a|^2, taken over node i and two neighbours on both sides, is
+     * what the pair's sides yield under pressures a that alternate from node to node (at most what
+     * half-planes yield): an algebraic error, also for theta = 0. No bound, but on the safe side: right for
+     * errors that alternate, where C is smallest, and too large by up to H/h, or by what a stiff fine slave
+     * yields less than its master, for smooth ones (a test compares).
      */
     double algebraic(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,
                      const Eigen::VectorXd &pressure_response, const Eigen::VectorXd &response) const;

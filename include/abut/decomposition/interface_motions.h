@@ -43,7 +43,8 @@ namespace abut
    * A motion that changes no gap, e.g. the rotation of a disc, which frictionless contact cannot hold, stays
    * zero: of the amplitudes that make it one is left out. "No gap" is a root mean square over the body's
    * sides below 1e-3 of the displacement: that much the sides of a round body change by the rounding of its
-   * curve. A load on such a motion, up to ten times that share of the largest load, is left out and told.
+   * curve. A load on such a motion, up to ten times that share of the largest load on its body, is left
+   * out and told.
    *
    * Throws UserError with the unbalanced resultant where larger loads act on it, or where no pressures p >= 0
    * balance the loads of floating bodies.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/decomposition/contact_system.h>
 #include <abut/decomposition/held_nodes.h>
 #include <abut/decomposition/initial_guess.h>
-#include <abut/decomposition/motion_terms.h>
 #include <abut/decomposition/scheme.h>
 
 #include <memory>
@@ -23,9 +23,9 @@ namespace abut
     /// The problem must outlive the solver. Throws UserError where contact cannot hold a floating body.
     InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters);
 
-    /// Begins from `start` where given, else from the scene's initial guess. Where the
-    /// stopping rule is the bound, `tolerance` takes the place of the scene's. Throws ComputationError where
-    /// supports press held nodes into each other (see HeldNodes).
+    /// Begins from `start` where given, else from the scene's initial guess (neumann) or from guess_contact.
+    /// Where the stopping rule is the bound, `tolerance` takes the place of the scene's. Throws
+    /// ComputationError where supports press held nodes into each other (see HeldNodes).
     SchemeResult solve(const InterfaceProblem::Loads &loads, const std::optional<Eigen::VectorXd> &start,
                        const StepObserver &observer, const std::optional<double> &tolerance = {}) const;
 
@@ -35,7 +35,7 @@ namespace abut
 
     const InterfaceCompliance &compliance() const { return *compliance_; }
     /// Null for the parallel Neumann scheme.
-    const MotionTerms *motions() const { return motions_ ? &*motions_ : nullptr; }
+    const MotionTerms *motions() const { return system_ ? &system_->motions : nullptr; }
 
   private:
     SchemeResult solve_neumann(const InterfaceProblem::Loads &loads,
@@ -44,9 +44,9 @@ namespace abut
 
     const InterfaceProblem &problem_;
     DecompositionParameters parameters_;
-    double relaxation_ = 0.;             ///< of the parallel Neumann scheme
-    std::optional<MotionTerms> motions_; ///< of the others
+    double relaxation_ = 0.; ///< of the parallel Neumann scheme
     std::unique_ptr<InterfaceCompliance> compliance_;
-    std::optional<HeldNodes> held_; ///< with motions_
+    std::unique_ptr<ContactSystem> system_; ///< of the other schemes
+    std::optional<HeldNodes> held_;         ///< with the system
   };
 } // namespace abut

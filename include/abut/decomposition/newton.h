@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/decomposition/contact_residual.h>
-#include <abut/decomposition/motion_terms.h>
-#include <abut/decomposition/pressure_operator.h>
+#include <abut/decomposition/contact_system.h>
 #include <abut/decomposition/scheme.h>
 
 namespace abut
@@ -20,24 +18,22 @@ namespace abut
   class NewtonScheme : public Scheme
   {
   public:
-    NewtonScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                 const MotionTerms &motions, const DecompositionParameters &parameters);
+    /// The system must outlive the scheme.
+    NewtonScheme(const ContactSystem &system, const DecompositionParameters &parameters)
+        : system_(system), parameters_(parameters)
+    {}
 
     SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                        const StepObserver &observer) const override;
 
   private:
-    const InterfaceProblem &problem_;
-    const InterfaceCompliance &compliance_;
-    const MotionTerms &motions_;
+    const ContactSystem &system_;
     DecompositionParameters parameters_;
-    ContactResidual residual_;
   };
 
   /// The result of pressures and amplitudes of held motions, with its iteration error. `message` is left
   /// empty.
-  SchemeResult contact_result(const InterfaceProblem &problem, const ContactResidual &residual,
-                              const MotionTerms &motions, const InterfaceProblem::Loads &loads,
+  SchemeResult contact_result(const ContactSystem &system, const InterfaceProblem::Loads &loads,
                               const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
                               const Eigen::VectorXd &pressure_response, double tolerance);
 } // namespace abut

@@ -19,6 +19,8 @@ namespace abut
     /// Changes `active` (one entry for each multiplier). False, with nothing changed, where the number of the
     /// infeasible has not fallen in three tries.
     bool flip(const std::vector<Eigen::Index> &infeasible, std::vector<bool> &active);
+    /// Whether these are fewer than ever.
+    bool is_progress(const std::size_t n_infeasible) const { return n_infeasible < fewest_; }
 
   private:
     std::size_t fewest_ = static_cast<std::size_t>(-1);

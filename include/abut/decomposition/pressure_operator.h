@@ -26,31 +26,11 @@ namespace abut
   /// Elastic layers in place of the bodies: C = (k_1 + k_2) D.
   std::unique_ptr<PressureOperator> make_layer_operator(const InterfaceProblem &problem);
 
-  /// The model compliance in place of C, which must outlive the operator.
-  std::unique_ptr<PressureOperator> make_model_operator(const InterfaceProblem &problem,
-                                                        const Eigen::MatrixXd &model);
+  class ModelCompliance;
 
   /// By factorisation where the compliance is a matrix: dense for one block, sparse for more. Otherwise by
-  /// conjugate gradients with the model compliance, which must outlive the operator, as preconditioner.
+  /// conjugate gradients with the model, which must outlive the operator, as preconditioner.
   std::unique_ptr<PressureOperator> make_pressure_operator(const InterfaceProblem &problem,
                                                            const InterfaceCompliance &compliance,
-                                                           const Eigen::MatrixXd &model);
-
-  /// Whether the model compliance, one matrix, is worth making: not where C is in blocks of many bodies.
-  inline bool suits_model(const InterfaceCompliance &compliance)
-  {
-    return compliance.blocks().size() <= 1;
-  }
-
-  /**
-   * A matrix like C, made of the sides' places and the bodies' depths and moduli alone:
-   *
-   *     C_ij = D_i D_j sum_a 1/(pi E_a) log(1 + (c/r_ij)^2),   c = H/2,
-   *
-   * the half-planes' logarithm near by and nothing beyond the depth H of the bodies. Its symbol, that is 2/E
-   * (1 - exp(-c |k|))/|k|, is positive: 2/(E |k|) of half-planes for short waves, H/E of layers for long
-   * ones. Pairs are taken as independent. A preconditioner: the condition of C grows with the number of
-   * nodes, that of the preconditioned one does not.
-   */
-  Eigen::MatrixXd model_compliance(const InterfaceProblem &problem);
+                                                           const ModelCompliance &model);
 } // namespace abut

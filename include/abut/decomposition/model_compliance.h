@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/pressure_operator.h>
+
+#include <Eigen/Cholesky>
+
+namespace abut
+{
+  /**
+   * A matrix like C, made of the sides' places and the bodies' depths and moduli alone:
+   *
+   *     C_ij = D_i D_j sum_a 1/(pi E_a) log(1 + (c_a/r_ij)^2),   c_a = H_a/2,
+   *
+   * the half-planes' logarithm near by and nothing beyond the depths H_a of the bodies. The symbol of a body
+   * is 2/E_a (1 - exp(-c_a |k|))/|k| > 0: 2/(E_a |k|), a half-plane's, for short waves, H_a/E_a, a layer's,
+   * for long ones. Pairs are taken as independent, a block for each. A preconditioner (the condition of C
+   * grows with the number of nodes, that of the preconditioned one does not) and a first guess; costs no
+   * solve of a body.
+   */
+  class ModelCompliance : public PressureOperator
+  {
+  public:
+    /// The problem must outlive the object.
+    explicit ModelCompliance(const InterfaceProblem &problem);
+
+    /// C p.
+    Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const override;
+    Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
+                          double accuracy) const override;
+
+    /// (C + theta D) on an active set, factorised.
+    class Factor
+    {
+    public:
+      Factor(const ModelCompliance &model, const ActiveSet &active);
+      Eigen::MatrixXd solve(const Eigen::MatrixXd &right_sides) const;
+
+    private:
+      std::vector<Eigen::LLT<Eigen::MatrixXd>> blocks_; ///< of the pairs with active multipliers
+    };
+
+    /// The block of a pair.
+    const Eigen::MatrixXd &block(const std::size_t pair) const { return blocks_[pair]; }
+
+  private:
+    const InterfaceProblem &problem_;
+    std::vector<Eigen::MatrixXd> blocks_;
+  };
+} // namespace abut
