@@ -10,7 +10,9 @@
 #include <abut/user_error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <memory>
 #include <ostream>
 
 namespace abut
@@ -40,6 +42,7 @@ namespace abut
       constexpr double asked = 1e-13, needed = 1e-10; // round-off may leave more than is asked
       parameters.scheme = SchemeKind::newton;
       parameters.tolerance = asked;
+      parameters.maximum_steps = DecompositionParameters().maximum_steps;
       ReferenceSolution reference;
       reference.solver = std::make_unique<InterfaceSolver>(problem, parameters);
       reference.result = reference.solver->solve(loads, {}, {});
@@ -51,11 +54,21 @@ namespace abut
       return reference;
     }
 
-    unsigned int count_solves(const Model &model)
+    std::vector<unsigned int> count_solves(const Model &model)
+    {
+      std::vector<unsigned int> counts;
+      for (const auto &body : model.bodies())
+        counts.push_back(body->counters().solves);
+      return counts;
+    }
+
+    /// Of the body that was solved most often since.
+    unsigned int most_solves_since(const std::vector<unsigned int> &before, const Model &model)
     {
       unsigned int most = 0;
-      for (const auto &body : model.bodies())
-        most = std::max(most, body->counters().solves);
+      const std::vector<unsigned int> now = count_solves(model);
+      for (std::size_t a = 0; a < now.size(); ++a)
+        most = std::max(most, now[a] - before[a]);
       return most;
     }
 
@@ -90,6 +103,14 @@ namespace abut
       return run.message.empty();
     }
 
+    std::string dropped_loads(const ReferenceSolution &reference)
+    {
+      std::string lines;
+      for (const std::string &sentence : reference.solver->motions()->dropped_loads)
+        lines += sentence + '\n';
+      return lines;
+    }
+
     SchemeRun run_scheme(const Model &model, const DecompositionParameters &parameters, const Loads &loads,
                          const ReferenceSolution &reference)
     {
@@ -97,14 +118,15 @@ namespace abut
       run.scheme = to_string(parameters.scheme);
       if (!can_run(model, parameters, run))
         return run;
-      const unsigned int solves = count_solves(model);
+      const std::vector<unsigned int> solves = count_solves(model);
       SchemeResult result;
       run.seconds = 0.;
       {
         const Stopwatch watch(run.seconds);
         result = InterfaceSolver(model.problem(), parameters).solve(loads, {}, {});
       }
-      run.solves = count_solves(model) - solves;
+      run.solves = most_solves_since(solves, model);
+      run.converged = result.converged();
       run.steps = result.steps;
       run.iteration_error = result.iteration_error;
       run.distance = reference.distance(result);
@@ -120,8 +142,8 @@ namespace abut
     if (scene.contacts.empty())
       throw UserError(file + ": Contacts: received an empty list, schemes are compared on contacts");
     use_one_blas_thread();
-    Model model(scene, nullptr);
-    make_output_directory(scene.output_directory);
+    const auto exact = make_exact_solution(scene); // conditions may refer to it
+    Model model(scene, exact.get());
     Times times;
     model.prepare(times);
     const Loads loads = model.problem().loads(0.);
@@ -134,14 +156,15 @@ namespace abut
       parameters.scheme = kind;
       runs.push_back(run_scheme(model, parameters, loads, reference));
     }
+    make_output_directory(scene.output_directory);
     const std::string path = (std::filesystem::path(scene.output_directory) / "schemes.csv").string();
     write_file(path, scheme_csv(runs));
     if (!quiet)
       out << model.counts().dofs << " unknowns, " << model.problem().n_pressures()
           << " of the contact; tolerance " << short_number(parameters.tolerance)
           << "; distances from a solution to " << short_number(reference.result.iteration_error, 2) << "\n\n"
-          << scheme_table(runs) << "\n  The same in " << path << '\n';
+          << scheme_table(runs) << dropped_loads(reference) << "\n  The same in " << path << '\n';
     return std::all_of(runs.begin(), runs.end(),
-                       [](const SchemeRun &run) { return !run.steps || run.message.empty(); });
+                       [](const SchemeRun &run) { return !run.steps || run.converged; });
   }
 } // namespace abut

@@ -169,6 +169,12 @@ namespace abut
     if (solver_ && solver_->motions() != nullptr)
       sentences.insert(sentences.end(), solver_->motions()->dropped_loads.begin(),
                        solver_->motions()->dropped_loads.end());
+    const DecompositionParameters &decomposition = scene_.decomposition;
+    if (decomposition.scheme != SchemeKind::neumann && !scene_.contacts.empty() &&
+        (decomposition.relaxation || decomposition.initial_guess != DecompositionParameters().initial_guess))
+      sentences.emplace_back(
+          "Decomposition/Relaxation and Initial guess are for Scheme = neumann; the scheme " +
+          to_string(decomposition.scheme) + " takes no notice of them");
     for (const ContactPair &pair : pairs())
       if (has_rough_pressure(pair, bodies()))
         sentences.push_back(

@@ -35,14 +35,15 @@ namespace abut
   std::string scheme_csv(const std::vector<SchemeRun> &runs)
   {
     std::ostringstream out;
-    out << "scheme,steps,predicted_steps,solves,wall_time_s,error_iteration,distance\n";
+    out << "scheme,converged,steps,predicted_steps,solves,wall_time_s,error_iteration,distance\n";
     for (const SchemeRun &run : runs)
     {
-      out << run.scheme << ',' << step_count(run) << ',';
+      out << run.scheme << ',' << (run.converged ? 1 : 0) << ',' << step_count(run) << ',';
       if (run.predicted_steps)
         out << exact_number(std::ceil(*run.predicted_steps));
-      out << ',' << run.solves << ',' << exact_number(run.seconds) << ',' << exact_number(run.iteration_error)
-          << ',' << exact_number(run.distance) << '\n';
+      out << ',' << (run.steps ? std::to_string(run.solves) : std::string()) << ','
+          << exact_number(run.seconds) << ',' << exact_number(run.iteration_error) << ','
+          << exact_number(run.distance) << '\n';
     }
     return out.str();
   }

@@ -63,7 +63,7 @@ namespace abut
         "Initial guess", "elastic layer response", Patterns::Selection(words_of(initial_guesses)),
         "elastic layer: normal displacements of the contact nodes that just close the gap, shared "
         "as by elastic layers. elastic layer response: the bodies' response to the pressure of "
-        "such layers. For neumann; the other schemes begin where such layers would touch.");
+        "such layers. For the scheme neumann.");
     prm.declare_entry("Relaxation", "automatic", Patterns::Anything(),
                       "gamma of the scheme neumann, a number above 0, or automatic. No unit.");
     prm.declare_entry(

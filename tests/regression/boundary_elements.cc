@@ -7,6 +7,7 @@
 #include "program.h"
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 namespace
 {
@@ -74,6 +75,25 @@ TEST(BoundaryElements, MeshSizesStandInTheReport)
     EXPECT_NEAR(mesh["h_max"].get<double>(), .25 * std::sqrt(2.), 1e-12);
     EXPECT_NEAR(mesh["h_ratio"].get<double>(), std::sqrt(.5), 1e-12);
     EXPECT_NEAR(mesh["regularity"].get<double>(), 1. + std::sqrt(2.), 1e-12);
+  }
+}
+
+// Exact contact: the pressures applied push, and miss the law by what they meet of a gap.
+TEST(BoundaryElements, BoundsTheErrorOfExactContact)
+{
+  const Answer answer =
+      run_scene("two-layers-rollers",
+                {fe_be, "Body upper/Cells=16, 4", "Body lower/Cells=16, 4", "Body upper/Adapt=true",
+                 "Body lower/Adapt=true", "Adaptation/Maximum passes=5"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  for (const auto &pass : answer.summary["pass_table"])
+  {
+    const double bound = pass["error_total"], b = pass["error_discretisation"],
+                 error = pass["true_error_energy"];
+    EXPECT_GT(bound, error);
+    EXPECT_LT(bound, 2. * error);
+    EXPECT_NEAR(b / error, 1., .1);
+    std::cout << "true error " << error << ", b " << b / error << ", bound " << bound / error << " of it\n";
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "program.h"
+#include <algorithm>
 #include <cmath>
 
 using namespace abut::testing;
@@ -74,6 +75,28 @@ TEST(Schemes, AnUnreachedToleranceEndsWithStatusTwo)
 {
   const Answer answer = compare("two-layers-rollers", {"Decomposition/Maximum steps=3"});
   EXPECT_EQ(answer.status, 2);
+  EXPECT_NE(answer.out.find("conjugate: The scheme conjugate has not reached the tolerance within"),
+            std::string::npos)
+      << answer.out;
+  const std::string file = answer.directory + "/schemes.csv";
+  EXPECT_EQ(column(file, "converged")[conjugate], 0.);
+  EXPECT_GT(column(file, "distance")[conjugate], 1e-4);
+}
+
+// The reference holds conditions that are named by the exact solution.
+TEST(Schemes, ConditionsMayBeThoseOfTheExactSolution)
+{
+  const Answer answer =
+      compare("two-layers-rollers", {"Body lower/Conditions=left: normal displacement: 0; right: normal "
+                                     "displacement: 0; bottom: displacement: exact"});
+  EXPECT_EQ(answer.status, 1); // this solution has no displacements to name
+  EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+}
+
+TEST(Schemes, WhatIsRefusedLeavesNothing)
+{
+  expect_refused(compare("pile-of-discs", {"Body top/Body force=0.001*y, -3"}),
+                 {"Body top", "no contact resists this motion"});
 }
 
 TEST(Schemes, ASceneWithoutContactIsRefused)

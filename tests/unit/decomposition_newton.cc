@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The scheme newton: against independent solutions, at every penalty and stiffness ratio.
-#include <abut/decomposition/contact_residual.h>
+#include <abut/decomposition/contact_guess.h>
 #include <abut/decomposition/interface_solver.h>
 #include <abut/decomposition/newton.h>
-#include <abut/user_error.h>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -132,7 +131,9 @@ TEST(DecompositionNewton, TheAlgebraicErrorIsOnTheSafeSide)
           EXPECT_GT(algebraic, .9 * error) << equal << ' ' << size << ' ' << waves << ' ' << spread;
           if (equal)
           {
-            EXPECT_LT(algebraic, 2. * 8. * error) << size << ' ' << waves << ' ' << spread;
+            const bool alternates = waves == 3.14159 && spread == 0.;
+            EXPECT_LT(algebraic, (alternates ? 2. : 2. * 8.) * error)
+                << size << ' ' << waves << ' ' << spread;
           }
         }
   }
@@ -163,26 +164,62 @@ TEST(DecompositionNewton, ConjugateGradientsFindTheSame)
   }
 }
 
+namespace
+{
+  double condition(const Eigen::MatrixXd &c, const Eigen::MatrixXd &model)
+  {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(c, model, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()[c.rows() - 1] / solver.eigenvalues()[0];
+  }
+} // namespace
+
 TEST(DecompositionNewton, ModelComplianceKeepsIterationsBounded)
 {
-  // Preconditioned condition: from 33 to 129 nodes the plain one grows fourfold.
-  std::vector<double> conditions;
-  for (const char *const cells : {"32, 8", "64, 16", "128, 32"})
+  // The plain condition grows fourfold from 33 to 129 nodes.
+  for (const std::vector<std::string> &bodies : std::vector<std::vector<std::string>>{
+           {},
+           {"Body upper/Young modulus=2.1e3"},
+           {"Body upper/Size=4, 0.25", "Body upper/Young modulus=2.1e3"}, // a soft coating
+           {"Discretisation/Degree=2"}})
   {
-    const TwoLayers layers(
-        {std::string("Body upper/Cells=") + cells, std::string("Body lower/Cells=") + cells});
-    const Index n = layers.problem().n_pressures();
-    const Eigen::MatrixXd c = compliance_matrix(layers.problem()).topRows(n),
-                          model = ModelCompliance(layers.problem()).block(0);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(c, model, Eigen::EigenvaluesOnly);
-    conditions.push_back(solver.eigenvalues()[n - 1] / solver.eigenvalues()[0]);
-    std::printf("%s: condition %.3g, preconditioned %.3g\n", cells,
-                Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c).eigenvalues()[n - 1] /
-                    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c).eigenvalues()[0],
-                conditions.back());
+    std::vector<double> conditions;
+    for (const char *const cells : {"32, 8", "64, 16", "128, 32"})
+    {
+      std::vector<std::string> all = bodies;
+      all.push_back(std::string("Body upper/Cells=") + cells);
+      all.push_back(std::string("Body lower/Cells=") + cells);
+      const TwoLayers layers(all);
+      const Index n = layers.problem().n_pressures();
+      const Eigen::MatrixXd c = compliance_matrix(layers.problem()).topRows(n);
+      conditions.push_back(condition(c, ModelCompliance(layers.problem()).block(0)));
+      std::printf("%s, %s: condition %.3g, preconditioned %.3g\n",
+                  bodies.empty() ? "equal layers" : bodies.front().c_str(), cells,
+                  condition(c, Eigen::MatrixXd::Identity(n, n)), conditions.back());
+    }
+    EXPECT_LT(conditions.back(), 5.);
+    EXPECT_LT(conditions.back(), 1.3 * conditions.front());
   }
-  EXPECT_LT(conditions.back(), 50.);
-  EXPECT_LT(conditions.back(), 1.3 * conditions.front());
+}
+
+TEST(DecompositionNewton, TheGuessFindsTheEdgeOfContact)
+{
+  for (const char *const cells : {"64, 16", "128, 32", "256, 64"})
+    for (const char *const modulus : {"2.1e3", "2.1e5", "2.1e7"})
+    {
+      const TwoLayers layers(
+          {std::string("Body upper/Cells=") + cells, std::string("Body lower/Cells=") + cells,
+           std::string("Body upper/Young modulus=") + modulus, "Contact interface/Penalty coefficient=0",
+           "Decomposition/Scheme=newton", "Decomposition/Stopping rule=bound"});
+      const InterfaceProblem &problem = layers.problem();
+      const auto compliance = make_compliance(problem, ComplianceMode::dense, 0.);
+      const ContactSystem system(problem, *compliance, make_motion_terms(problem));
+      const Eigen::ArrayXd guess = guess_contact(system, layers.loads(), {}).pressures,
+                           found = newton(layers, ComplianceMode::dense, 1e-9).traction;
+      const auto differing = ((guess > 0.) != (found > 0.)).count();
+      std::printf("%s, E1 = %s: %d of %d nodes\n", cells, modulus, static_cast<int>(differing),
+                  static_cast<int>((found > 0.).count()));
+      EXPECT_LE(differing, 2);
+    }
 }
 
 TEST(DecompositionNewton, TouchingWithoutForce)
@@ -218,54 +255,4 @@ TEST(DecompositionNewton, AnUnfinishedRunGuaranteesNothing)
       EXPECT_EQ(result.stopped_by, finished ? StoppedBy::bound : StoppedBy::maximum_steps) << scheme;
       EXPECT_EQ(result.error_is_bound, finished) << scheme;
     }
-}
-
-TEST(DecompositionNewton, AFarMotionHidesNoImbalance)
-{
-  // One body that falls by 1 on stiff layers: 4 % of its weight is no round-off.
-  MotionTerms motions;
-  motions.gaps = Eigen::MatrixXd::Constant(1, 1, -1.);
-  motions.stiffness = Eigen::MatrixXd::Zero(1, 1);
-  motions.loads = motions.layer_stiffness = Eigen::VectorXd::Ones(1);
-  motions.layer_stiffness *= 1e9;
-  const Eigen::VectorXd amplitudes = Eigen::VectorXd::Ones(1);
-  EXPECT_FALSE(motions.is_balanced(Eigen::VectorXd::Constant(1, .96), amplitudes));
-  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-11), amplitudes));
-  EXPECT_TRUE(motions.is_balanced(Eigen::VectorXd::Constant(1, 1. + 1e-6), amplitudes)); // round-off
-}
-
-namespace
-{
-  /// Two motions of the upper layer: one that opens all gaps, and one that is hardly noticed.
-  InterfaceMotions two_motions(const InterfaceProblem &problem, const double noticed, const double load)
-  {
-    InterfaceMotions motions;
-    motions.responses = Eigen::MatrixXd::Zero(problem.response_size(), 2);
-    motions.responses.col(0).head(problem.n_pressures()) = problem.weights();
-    const Index half = problem.n_pressures() / 2; // closes one half of the side and opens the other
-    motions.responses.col(1).head(half) = noticed * problem.weights().head(half);
-    motions.responses.col(1).segment(problem.n_pressures() - half, half) =
-        -noticed * problem.weights().tail(half);
-    motions.stiffness = Eigen::MatrixXd::Zero(2, 2);
-    motions.loads = Eigen::Vector2d(-1., load);
-    motions.names = {"lift", "slip"};
-    motions.offsets = {0, 2, 2};
-    return motions;
-  }
-} // namespace
-
-TEST(DecompositionNewton, LoadsOnMotionsThatAreHardlyNoticed)
-{
-  const TwoLayers layers(coarse_meshes);
-  const InterfaceProblem &problem = layers.problem();
-  const HeldMotions silent = held_motions(problem, two_motions(problem, 1e-4, 0.));
-  EXPECT_EQ(silent.indices, std::vector<Eigen::Index>{0});
-  EXPECT_TRUE(silent.dropped_loads.empty());
-  const HeldMotions told = held_motions(problem, two_motions(problem, 1e-4, 5e-4));
-  EXPECT_EQ(told.indices, std::vector<Eigen::Index>{0});
-  ASSERT_EQ(told.dropped_loads.size(), 1u);
-  EXPECT_NE(told.dropped_loads[0].find("slip hardly changes a gap"), std::string::npos)
-      << told.dropped_loads[0];
-  EXPECT_THROW(held_motions(problem, two_motions(problem, 1e-4, 5e-3)), UserError);
-  EXPECT_EQ(held_motions(problem, two_motions(problem, .1, 0.)).indices, (std::vector<Eigen::Index>{0, 1}));
 }

@@ -54,6 +54,20 @@ TEST(ElasticityBody, ReactionsBalanceAWeight)
   EXPECT_LT(reactions.equilibrium_residual, 1e-12);
 }
 
+TEST(ElasticityBody, ACoupleIsNoBalanceOfMoments)
+{
+  Body body(block(""), {"top"});
+  body.prepare();
+  const auto &points = body.contact_sides()[0].node_points();
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].x() == 0. || points[i].x() == 2.)
+      forces[static_cast<Eigen::Index>(2 * i + 1)] = points[i].x() - 1.; // -1 and 1 on an arm of 2
+  const Reactions reactions = body.reactions(Eigen::VectorXd::Zero(body.space().n_dofs()), forces);
+  EXPECT_LT(reactions.equilibrium_residual, 1e-15);
+  EXPECT_NEAR(reactions.moment_residual, 2. / (std::sqrt(4. + 9.) * 2.), 1e-14);
+}
+
 TEST(ElasticityBody, ReactionsBalanceTractionsPressuresAndContactForces)
 {
   BodyDescription description = block("bottom: normal displacement: 0; left: normal displacement: 0; "

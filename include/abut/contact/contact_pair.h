@@ -20,9 +20,9 @@ namespace abut
   /**
    * Two sides that may touch: gap, penalty and coupling, all on the slave's multipliers (one per slave node,
    * see MortarCoupling). With the bodies' trace displacements u the weighted gap of node i is g_i = (gap_i +
-   * (N_s u_s + N_m u_m)_i) / D_i, positive where the bodies are apart; the pressure is p_i = max(0, -g_i) /
-   * theta, and D_i p_i its load. That is the gradient of (1 / 2 theta) sum_i D_i (g_i^-)^2, the discrete
-   * penalty of (15)-(16).
+   * (N_s u_s + N_m u_m)_i) / D_i, positive where the bodies are apart; D_i p_i is the load of the pressure.
+   * Exact contact (theta = 0): p_i >= 0, g_i >= 0, p_i g_i = 0. With a penalty p_i = max(0, -g_i) / theta,
+   * the gradient of (1 / 2 theta) sum_i D_i (g_i^-)^2, the discrete penalty of (15)-(16).
    */
   class ContactPair
   {
