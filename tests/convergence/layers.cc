@@ -79,7 +79,7 @@ namespace
     const abut::PairResult &pair = scene.pair();
     const double peak = pair.max_pressure, pressure_error = scene.results().true_errors.pressure.value();
     std::cout << "Two layers between rollers, nonmatching meshes: relative errors of the force "
-              << pair.normal_force / exact_force - 1. << ", of p(0) " << peak / exact_peak - 1.
+              << pair.normal_force / exact_force - 1. << ", of the peak " << peak / exact_peak - 1.
               << ", of the pressure in L2 " << pressure_error << '\n';
     EXPECT_NEAR(pair.normal_force, exact_force, 5e-4 * exact_force);
     EXPECT_NEAR(peak, exact_peak, 2.5e-3 * exact_peak);
