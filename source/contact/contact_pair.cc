@@ -119,6 +119,19 @@ namespace abut
     return missed;
   }
 
+  bool ContactPair::is_finer_under(const Eigen::VectorXd &pressures, const Trace &slave_trace,
+                                   const Trace &master_trace) const
+  {
+    constexpr double shorter = .99;
+    return std::any_of(samples_.pieces.begin(), samples_.pieces.end(), [&](const Piece &piece) {
+      const Segment &slave = slave_trace.segments()[piece.slave_segment],
+                    &master = master_trace.segments()[piece.master_segment];
+      return slave.length < shorter * master.length &&
+             std::any_of(slave.nodes.begin(), slave.nodes.end(),
+                         [&](const unsigned int node) { return pressures[node] > 0.; });
+    });
+  }
+
   Eigen::VectorXd ContactPair::sampled_gaps(const Eigen::VectorXd &slave_displacement,
                                             const Eigen::VectorXd &master_displacement) const
   {

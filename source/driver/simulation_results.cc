@@ -130,16 +130,15 @@ namespace abut
   namespace
   {
     /// A stiff slave whose nodes feel the edges of the master's larger cells.
-    bool has_rough_pressure(const ContactPair &pair, const std::vector<std::unique_ptr<Body>> &bodies)
+    bool has_rough_pressure(const PairResult &result, const std::vector<std::unique_ptr<Body>> &bodies)
     {
       constexpr double much_stiffer = 10.;
+      const ContactPair &pair = *result.pair;
       const auto modulus = [](const ContactBody &side) { return side.depth / side.flexibility; };
-      const auto cell = [&](const ContactBody &side) {
-        const Trace &trace = bodies[side.body]->contact_sides()[side.side];
-        return trace.length() / static_cast<double>(trace.segments().size());
-      };
-      return pair.penalty() == 0. && modulus(pair.slave()) > much_stiffer * modulus(pair.master()) &&
-             cell(pair.slave()) < .99 * cell(pair.master());
+      const ContactBody &master = pair.master();
+      return pair.penalty() == 0. && modulus(pair.slave()) > much_stiffer * modulus(master) &&
+             pair.is_finer_under(result.pressures, *result.slave,
+                                 bodies[master.body]->contact_sides()[master.side]);
     }
 
     /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
@@ -175,13 +174,13 @@ namespace abut
       sentences.emplace_back(
           "Decomposition/Relaxation and Initial guess are for Scheme = neumann; the scheme " +
           to_string(decomposition.scheme) + " takes no notice of them");
-    for (const ContactPair &pair : pairs())
+    for (const PairResult &pair : results.pairs)
       if (has_rough_pressure(pair, bodies()))
         sentences.push_back(
-            "Contact " + pair.name() +
+            "Contact " + pair.pair->name() +
             ": with exact contact the pressure is rough where the slave is much stiffer than the "
             "master and its cells are finer; take the softer body as slave (Contact " +
-            pair.name() + "/Slave, Master), coarser cells for the slave, or a penalty");
+            pair.pair->name() + "/Slave, Master), coarser cells for the slave, or a penalty");
     const bool even_degree = std::any_of(bodies().begin(), bodies().end(),
                                          [](const auto &body) { return body->space().degree() == 2; });
     if (scene_.adaptation.estimator == EstimatorKind::zz && even_degree)

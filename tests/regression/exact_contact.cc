@@ -162,14 +162,22 @@ TEST(ExactContact, ACoarserMeshGivesTheStart)
 // Rough pressures of a stiff and fine slave are named; a slave that is the softer body has none.
 TEST(ExactContact, AStiffSlaveIsNamedWithExactContact)
 {
-  for (const std::string stiff : {"lower", "upper"}) // lower: the slave
-    for (const std::string cells : {"32, 8", "16, 4"})
-    {
-      const Answer answer =
-          run_scene("two-layers-rollers", {"Body upper/Cells=16, 4", "Body lower/Cells=" + cells,
-                                           "Body " + stiff + "/Young modulus=2.1e7"});
-      ASSERT_EQ(answer.status, 0) << answer.err;
-      EXPECT_EQ(answer.err.find("take the softer body as slave") != std::string::npos,
-                stiff == "lower" && cells == "32, 8");
-    }
+  struct Case
+  {
+    std::string stiff, cells, grading; // of the lower body, the slave
+    bool named;
+  };
+  for (const Case &c :
+       {Case{"lower", "32, 8", "1, 1", true}, Case{"lower", "16, 4", "1, 1", false},
+        Case{"upper", "32, 8", "1, 1", false}, Case{"lower", "16, 4", "30, 1", true}, // fine where it touches
+        Case{"lower", "16, 4", "0.033, 1", false}})                                   // fine elsewhere
+  {
+    const Answer answer =
+        run_scene("two-layers-rollers",
+                  {"Body upper/Cells=16, 4", "Body lower/Cells=" + c.cells, "Body lower/Grading=" + c.grading,
+                   "Body " + c.stiff + "/Young modulus=2.1e7"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(answer.err.find("take the softer body as slave") != std::string::npos, c.named)
+        << c.stiff << ' ' << c.cells << ' ' << c.grading;
+  }
 }

@@ -54,6 +54,10 @@ namespace abut
                                       const Eigen::VectorXd &master_displacement,
                                       const Eigen::VectorXd &gaps) const;
 
+    /// Whether an edge of the slave side with pressure at a node is shorter than the master's edge opposite.
+    bool is_finer_under(const Eigen::VectorXd &pressures, const Trace &slave_trace,
+                        const Trace &master_trace) const;
+
     /**
      * int |p| |theta p + g| ds over the slave side, of the pressure p = -t . n of its nodal tractions (see
      * applied_traction) and the gap g of the displacements, point by point: by how much they miss the contact
