@@ -103,8 +103,9 @@ namespace abut
     const InterfaceProblem &problem = system_.problem;
     const auto contact = make_pressure_operator(problem, system_.compliance, system_.model);
     const double tolerance = parameters_.tolerance;
-    double accuracy =
-        system_.compliance.is_dense() ? direct_accuracy : std::max(.01 * tolerance, direct_accuracy);
+    double accuracy = direct_accuracy; // of the systems on active sets
+    if (!system_.compliance.is_dense())
+      accuracy = std::max(.01 * tolerance * system_.residual.least_softness(), direct_accuracy);
     ContactGuess state = guess_contact(system_, loads, start.traction);
     StepReport report(system_, loads, observer);
     unsigned int steps = 0;
