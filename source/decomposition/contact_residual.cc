@@ -68,14 +68,13 @@ namespace abut
     }
     const Eigen::VectorXd work =
         compliance.apply(alternating).head(alternating.size()).cwiseProduct(alternating);
-    const Eigen::VectorXd squares = problem.weights().cwiseAbs2(), of_half_planes = beta_;
+    const Eigen::VectorXd squares = problem.weights().cwiseAbs2();
     for (const std::vector<Index> &order : orders)
       for (std::size_t k = 0; k < order.size(); ++k)
       {
         const double softness = sum_around(order, k, work) / sum_around(order, k, squares);
         if (softness > 0.) // not where all is held
           beta_[order[k]] = std::min(beta_[order[k]], softness * problem.weights()[order[k]]);
-        least_softness_ = std::min(least_softness_, beta_[order[k]] / of_half_planes[order[k]]);
       }
   }
 

@@ -32,6 +32,21 @@ namespace abut
              "tolerance; raise Decomposition/Tolerance";
     }
 
+    /// The least share that a slave has in what both bodies of its pair yield. A stiff slave has rough
+    /// pressures where its cells are fine, which yield no more than that: they have to be as much more
+    /// accurate.
+    double least_slave_share(const InterfaceProblem &problem)
+    {
+      double least = 1.;
+      for (const ContactPair &pair : problem.pairs())
+      {
+        const double slave = pair.slave().flexibility / pair.slave().depth,
+                     master = pair.master().flexibility / pair.master().depth;
+        least = std::min(least, slave / (slave + master));
+      }
+      return least;
+    }
+
     /// Tells an observer of each state.
     class StepReport
     {
@@ -105,7 +120,7 @@ namespace abut
     const double tolerance = parameters_.tolerance;
     double accuracy = direct_accuracy; // of the systems on active sets
     if (!system_.compliance.is_dense())
-      accuracy = std::max(.01 * tolerance * system_.residual.least_softness(), direct_accuracy);
+      accuracy = std::max(.01 * tolerance * least_slave_share(problem), direct_accuracy);
     ContactGuess state = guess_contact(system_, loads, start.traction);
     StepReport report(system_, loads, observer);
     unsigned int steps = 0;

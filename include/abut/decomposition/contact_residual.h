@@ -34,10 +34,6 @@ namespace abut
     double algebraic(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,
                      const Eigen::VectorXd &pressure_response, const Eigen::VectorXd &response) const;
 
-    /// The least of what alternating pressures yield, as a share of half-planes': small on a stiff slave with
-    /// fine cells, where pressures have to be as much more accurate.
-    double least_softness() const { return least_softness_; }
-
   private:
     /// t, without what is round-off of the gaps where `beta` is not zero.
     Eigen::VectorXd residual(const Eigen::VectorXd &pressures, const Eigen::VectorXd &gaps,
@@ -48,6 +44,5 @@ namespace abut
     const InterfaceProblem &problem_;
     const InterfaceCompliance &compliance_;
     Eigen::VectorXd beta_;
-    double least_softness_ = 1.;
   };
 } // namespace abut
