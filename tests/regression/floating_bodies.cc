@@ -5,6 +5,7 @@
 
 #include "program.h"
 #include <cmath>
+#include <sstream>
 
 using namespace abut::testing;
 
@@ -189,6 +190,53 @@ TEST(FloatingBodies, LoadsThatContactCannotBalance)
       run_scene("v-groove", {"Decomposition/Scheme=neumann", "Contact left-flank/Penalty coefficient=0.01",
                              "Contact right-flank/Penalty coefficient=0.01"}),
       {"Body disc", "held by contact alone", "newton or conjugate"});
+}
+
+namespace
+{
+  /// A block in a corner of two others, pressed by 3 from above and by 2 from the right; nothing else holds
+  /// it. All turned about the corner, which both pairs share.
+  std::string block_in_a_corner(const double degrees)
+  {
+    const double angle = degrees * std::acos(0.) / 90., c = std::cos(angle), s = std::sin(angle);
+    std::ostringstream file;
+    file.precision(17);
+    const auto body = [&](const std::string &name, const double x, const double y, const std::string &rest) {
+      file << "subsection Body " << name << "\n  set Size = 1, 1\n  set Rotation angle = " << degrees
+           << "\n  set Shift = " << c * x - s * y << ", " << s * x + c * y << '\n'
+           << rest << "end\n";
+    };
+    file << "set Bodies = block, floor, wall\nset Contacts = on-floor, at-wall\n";
+    const std::string rollers =
+        "  set Conditions = left: normal displacement: 0; bottom: normal displacement: 0\n";
+    body("block", 0., 0.,
+         "  set Cells = 6, 5\n  set Young modulus = 100\n  set Poisson ratio = 0.3\n"
+         "  set Conditions = top: pressure: 3; right: pressure: 2\n");
+    body("floor", 0., -1.,
+         "  set Cells = 4, 3\n  set Young modulus = 1000\n  set Poisson ratio = 0.2\n" + rollers);
+    body("wall", -1., 0.,
+         "  set Cells = 3, 4\n  set Young modulus = 50\n  set Poisson ratio = 0.4\n" + rollers);
+    file << "subsection Contact on-floor\n  set Slave = block:bottom\n  set Master = floor:top\nend\n"
+            "subsection Contact at-wall\n  set Slave = block:left\n  set Master = wall:right\nend\n";
+    return file.str();
+  }
+} // namespace
+
+TEST(FloatingBodies, ACornerThatTwoPairsShareIsAPatchTest)
+{
+  for (const double degrees : {0., 33.})
+    for (const std::string scheme : {"newton", "conjugate"})
+    {
+      const Answer answer = run({temporary_file("corner.prm", block_in_a_corner(degrees)), "--set",
+                                 "Decomposition/Scheme=" + scheme});
+      ASSERT_EQ(answer.status, 0) << answer.err;
+      const double allowed = scheme == "newton" ? 1e-10 : 1e-6;
+      for (const double pressure : column(answer.directory + "/contact_on-floor.csv", "pressure"))
+        EXPECT_NEAR(pressure, 3., 3. * allowed) << scheme << ' ' << degrees;
+      for (const double pressure : column(answer.directory + "/contact_at-wall.csv", "pressure"))
+        EXPECT_NEAR(pressure, 2., 2. * allowed) << scheme << ' ' << degrees;
+      expect_balance(answer);
+    }
 }
 
 TEST(FloatingBodies, SeveralRigidSidesWithGivenForces)
