@@ -15,8 +15,6 @@ namespace abut
 {
   namespace
   {
-    using Index = Eigen::Index;
-
     constexpr double first_softness_of_steps = 1e-2; // of the layers' stiffness
     constexpr double last_softness_of_steps = 1e-7;
     constexpr int most_outer_steps = 200;

@@ -91,13 +91,14 @@ namespace abut
                                     const Eigen::VectorXd &response) const
   {
     const Eigen::VectorXd left = residual(pressures, problem_.gaps(response), beta_);
-    // Also of bodies that touch without force: there is nothing to compare with.
+    // Bodies that touch without force: there is nothing to compare round-off with.
     const Index n = pressures.size();
     const Eigen::VectorXd terms = loads.response.head(n).cwiseAbs() + pressure_response.head(n).cwiseAbs() +
                                   (response - loads.response - pressure_response).head(n).cwiseAbs();
     const Eigen::ArrayXd lengths =
         left.array().abs() * (problem_.penalties() + beta_).array() * problem_.weights().array();
-    if (!left.isZero(0.) && (lengths <= 1e-14 * terms.array()).all())
+    if (!left.isZero(0.) && (lengths <= 1e-14 * terms.array()).all() &&
+        (pressure_response.head(n).array().abs() <= 1e-12 * terms.array()).all())
       return std::numeric_limits<double>::epsilon();
     return relative(left, loads, pressures, pressure_response);
   }

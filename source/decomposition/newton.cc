@@ -10,8 +10,6 @@ namespace abut
 {
   namespace
   {
-    using Index = Eigen::Index;
-
     constexpr double direct_accuracy = 1e-13;
     constexpr int most_tightenings = 5; // of the inner iteration
 

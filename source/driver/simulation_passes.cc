@@ -20,6 +20,9 @@ namespace abut
     /// as far as they meet no gap.
     Eigen::VectorXd pressures_by_law(const InterfaceProblem &problem, const SchemeResult &iteration)
     {
+      if (iteration.motions.size() >
+          0) // only these balance what floats; the estimate holds for all that push
+        return iteration.traction;
       return (problem.penalties().array() > 0.)
           .select(problem.pressures(iteration.response), iteration.traction);
     }

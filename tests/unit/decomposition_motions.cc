@@ -70,7 +70,7 @@ TEST(DecompositionMotions, LoadsOnMotionsThatAreHardlyNoticed)
 
 TEST(DecompositionMotions, AnotherBodysLoadsHideNoImbalance)
 {
-  // A lift that pulls with 1, beside a million that presses another body.
+  // A lift that pulls, beside a million that presses another body.
   const TwoLayers layers(meshes);
   InterfaceMotions motions = motions_of(layers.problem(), .1, 0., 10);
   EXPECT_NO_THROW(held_motions(layers.problem(), motions));

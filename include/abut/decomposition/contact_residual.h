@@ -35,7 +35,7 @@ namespace abut
                      const Eigen::VectorXd &pressure_response, const Eigen::VectorXd &response) const;
 
   private:
-    /// t, without what is round-off of the gaps where `beta` is not zero.
+    /// t.
     Eigen::VectorXd residual(const Eigen::VectorXd &pressures, const Eigen::VectorXd &gaps,
                              const Eigen::VectorXd &beta) const;
     double relative(const Eigen::VectorXd &residual, const InterfaceProblem::Loads &loads,

@@ -55,7 +55,7 @@ namespace abut
     Eigen::VectorXd iterate;
     /// Amplitudes of the motions that no support prescribes (see InterfaceMotions); empty for the parallel
     /// Neumann scheme.
-    Eigen::VectorXd motions; // of an unfinished run: not in balance with the traction
+    Eigen::VectorXd motions;
     unsigned int steps = 0;
     StoppedBy stopped_by = StoppedBy::maximum_steps;
     /// Where `error_is_bound`: ||u - u_theta||_A is at most this times the smaller of ||u||_A and the norm of
