@@ -11,22 +11,7 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-  }
 
-  Eigen::VectorXd node_softness(const InterfaceProblem &problem)
-  {
-    Eigen::VectorXd result = problem.weights();
-    for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-    {
-      const ContactPair &pair = problem.pairs()[i];
-      result.segment(problem.pressure_offset(i), pair.n_multipliers()) *=
-          pair.slave().flexibility / pair.slave().depth + pair.master().flexibility / pair.master().depth;
-    }
-    return result;
-  }
-
-  namespace
-  {
     /// The multipliers of a pair with a weight, along the slave side.
     std::vector<Index> along_side(const InterfaceProblem &problem, const std::size_t pair)
     {
@@ -54,6 +39,18 @@ namespace abut
       return sum;
     }
   } // namespace
+
+  Eigen::VectorXd node_softness(const InterfaceProblem &problem)
+  {
+    Eigen::VectorXd result = problem.weights();
+    for (std::size_t i = 0; i < problem.pairs().size(); ++i)
+    {
+      const ContactPair &pair = problem.pairs()[i];
+      result.segment(problem.pressure_offset(i), pair.n_multipliers()) *=
+          1. / pair.slave().young_modulus() + 1. / pair.master().young_modulus();
+    }
+    return result;
+  }
 
   ContactResidual::ContactResidual(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
       : problem_(problem), compliance_(compliance), beta_(node_softness(problem))

@@ -14,8 +14,9 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    constexpr double held_share = 1e-12; // of what a half-plane yields, and of the side's length for gaps
-  }                                      // namespace
+    /// Of what a half-plane yields, and of the side's length for gaps.
+    constexpr double held_share = 1e-12;
+  } // namespace
 
   HeldNodes::HeldNodes(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                        const MotionTerms &motions)

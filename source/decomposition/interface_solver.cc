@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/conjugate.h>
+#include <abut/decomposition/initial_guess.h>
 #include <abut/decomposition/interface_solver.h>
 #include <abut/decomposition/neumann.h>
 #include <abut/decomposition/newton.h>

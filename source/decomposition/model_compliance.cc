@@ -22,7 +22,7 @@ namespace abut
         const std::array<const ContactBody *, 2> bodies{{&pair.slave(), &pair.master()}};
         for (std::size_t a = 0; a < bodies.size(); ++a)
         {
-          factors_[a] = bodies[a]->flexibility / (pi * bodies[a]->depth);
+          factors_[a] = 1. / (pi * bodies[a]->young_modulus());
           depths_[a] = .5 * bodies[a]->depth;
         }
       }

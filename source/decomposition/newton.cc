@@ -38,9 +38,8 @@ namespace abut
       double least = 1.;
       for (const ContactPair &pair : problem.pairs())
       {
-        const double slave = pair.slave().flexibility / pair.slave().depth,
-                     master = pair.master().flexibility / pair.master().depth;
-        least = std::min(least, slave / (slave + master));
+        const double slave = pair.slave().young_modulus(), master = pair.master().young_modulus();
+        least = std::min(least, 1. / (1. + slave / master));
       }
       return least;
     }

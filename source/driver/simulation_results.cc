@@ -134,9 +134,8 @@ namespace abut
     {
       constexpr double much_stiffer = 10.;
       const ContactPair &pair = *result.pair;
-      const auto modulus = [](const ContactBody &side) { return side.depth / side.flexibility; };
       const ContactBody &master = pair.master();
-      return pair.penalty() == 0. && modulus(pair.slave()) > much_stiffer * modulus(master) &&
+      return pair.penalty() == 0. && pair.slave().young_modulus() > much_stiffer * master.young_modulus() &&
              pair.is_finer_under(result.pressures, *result.slave,
                                  bodies[master.body]->contact_sides()[master.side]);
     }

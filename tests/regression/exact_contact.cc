@@ -32,6 +32,7 @@ namespace
       product = std::max(product, std::abs(gaps[i] * pressures[i]));
     }
     EXPECT_GT(pressure_size, 0.);
+    std::cout << "largest penetration " << penetration << '\n';
     EXPECT_LE(penetration, 1e-12 * gap_size);
     EXPECT_LE(product, 1e-10 * gap_size * pressure_size);
   }

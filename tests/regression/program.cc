@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <sstream>
 
@@ -98,11 +99,14 @@ namespace abut::testing
 
   void expect_balance(const Answer &answer)
   {
+    double worst = 0.;
     for (const auto &body : answer.summary["bodies"])
     {
       EXPECT_LT(body["equilibrium_residual"].get<double>(), 1e-10) << body["name"];
       EXPECT_LT(body["moment_residual"].get<double>(), 1e-10) << body["name"];
+      worst = std::max(worst, body["equilibrium_residual"].get<double>());
     }
+    std::cout << "worst balance of a body " << worst << '\n';
   }
 
   std::string project_file(const std::string &name)

@@ -15,6 +15,8 @@ namespace abut
     double depth;            ///< H_a of the body behind the side
     double flexibility;      ///< H_a / E_a
     double layer_compliance; ///< k_a of the elastic layer
+
+    double young_modulus() const { return depth / flexibility; }
   };
 
   /**

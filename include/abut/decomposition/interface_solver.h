@@ -3,7 +3,6 @@
 
 #include <abut/decomposition/contact_system.h>
 #include <abut/decomposition/held_nodes.h>
-#include <abut/decomposition/initial_guess.h>
 #include <abut/decomposition/scheme.h>
 
 #include <memory>

@@ -40,9 +40,6 @@ namespace abut
       std::vector<Eigen::LLT<Eigen::MatrixXd>> blocks_; ///< of the pairs with active multipliers
     };
 
-    /// The block of a pair.
-    const Eigen::MatrixXd &block(const std::size_t pair) const { return blocks_[pair]; }
-
   private:
     const InterfaceProblem &problem_;
     std::vector<Eigen::MatrixXd> blocks_;
