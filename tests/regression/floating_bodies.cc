@@ -245,6 +245,25 @@ TEST(FloatingBodies, ACornerThatTwoPairsShareIsAPatchTest)
     }
 }
 
+// Boundary elements need loads in balance: those of the contact law are not, while the iteration has not
+// ended.
+TEST(FloatingBodies, BoundaryElementsTakeTheTractionInBalance)
+{
+  for (const std::string scheme : {"newton", "conjugate"})
+    for (const std::string c : {"0", "1e-8", "0.05"})
+    {
+      const Answer answer =
+          run({temporary_file("corner.prm", block_in_a_corner(0.)), "--set", "Decomposition/Scheme=" + scheme,
+               "--set", "Contact at-wall/Penalty coefficient=" + c, "--set", "Body block/Body force=0, -1",
+               "--set", "Body block/Adapt=true", "--set", "Adaptation/Estimator=fe-be", "--set",
+               "Adaptation/Maximum passes=3"});
+      ASSERT_EQ(answer.status, 0) << scheme << ' ' << c << ": " << answer.err;
+      EXPECT_EQ(answer.summary["passes"], 3);
+      EXPECT_NEAR(contact(answer, "on-floor")["normal_force"].get<double>(), 4., 1e-8); // pressure and weight
+      EXPECT_NEAR(contact(answer, "at-wall")["normal_force"].get<double>(), 2., 1e-8);
+    }
+}
+
 TEST(FloatingBodies, SeveralRigidSidesWithGivenForces)
 {
   const Answer answer = run_scene(
