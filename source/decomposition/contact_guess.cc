@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/contact_guess.h>
+#include <abut/decomposition/initial_guess.h>
 #include <abut/decomposition/pivoting.h>
 
 namespace abut
@@ -27,9 +28,8 @@ namespace abut
     const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(system.motions.size());
     if (pressures && system.motions.size() == 0)
       return {pressures->cwiseMax(0.), at_rest};
-    const Eigen::VectorXd overlap = (-loads.response.head(system.problem.n_pressures())).cwiseMax(0.);
-    const ContactGuess layers =
-        solve_with(*make_layer_operator(system.problem), system, loads, {overlap, at_rest});
+    const ContactGuess resting{layer_pressures(system.problem, loads, system.problem.penalties()), at_rest};
+    const ContactGuess layers = solve_with(*make_layer_operator(system.problem), system, loads, resting);
     ContactGuess guess = solve_with(system.model, system, loads, layers);
     if (pressures)
       guess.pressures = pressures->cwiseMax(0.);

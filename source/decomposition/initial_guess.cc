@@ -7,13 +7,6 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    /// overlap_i / (k_1 + k_2 + extra_i)
-    Eigen::VectorXd layer_pressures(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
-                                    const Eigen::VectorXd &extra)
-    {
-      return (-problem.gaps(loads.response).array()).max(0.) / (problem.layer_compliances() + extra).array();
-    }
-
     /**
      * A rigid-plastic picture of each layer: at its contact nodes body a moves by -k_a p along its outward
      * normal. The master's nodes take the pressure of the multipliers opposite them, averaged with the
@@ -53,6 +46,12 @@ namespace abut
       return response;
     }
   } // namespace
+
+  Eigen::VectorXd layer_pressures(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
+                                  const Eigen::VectorXd &extra)
+  {
+    return (-problem.gaps(loads.response).array()).max(0.) / (problem.layer_compliances() + extra).array();
+  }
 
   InterfaceState respond_to(const InterfaceCompliance &compliance, const InterfaceProblem::Loads &loads,
                             const Eigen::VectorXd &pressures)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/model_compliance.h>
+#include <abut/user_error.h>
 
 #include <algorithm>
 #include <array>
@@ -73,9 +74,17 @@ namespace abut
     {
       const Eigen::VectorXd own = block.diagonal();
       const Eigen::VectorXd absent = (own.array() > 0.).select(Eigen::VectorXd::Zero(own.size()), 1.);
-      while (Eigen::LLT<Eigen::MatrixXd>(block + Eigen::MatrixXd(absent.asDiagonal())).info() !=
-             Eigen::Success)
+      constexpr int most_raises = 20;
+      for (int i = 0; i < most_raises; ++i)
+      {
+        const Eigen::MatrixXd present = block + Eigen::MatrixXd(absent.asDiagonal());
+        if (Eigen::LLT<Eigen::MatrixXd>(present).info() == Eigen::Success)
+          return;
         block.diagonal() += own;
+      }
+      throw ComputationError(
+          "What the contact sides yield has left the range of the machine's numbers; change the "
+          "units or the Young moduli");
     }
   } // namespace
 

@@ -46,7 +46,9 @@ namespace abut
       ReferenceSolution reference;
       reference.solver = std::make_unique<InterfaceSolver>(problem, parameters);
       reference.result = reference.solver->solve(loads, {}, {});
-      if (!(reference.result.iteration_error <= needed))
+      const MotionTerms &motions = *reference.solver->motions();
+      if (!(reference.result.iteration_error <= needed) ||
+          !motions.is_balanced(reference.result.traction, reference.result.motions(motions.held)))
         throw ComputationError("The reference solution has not been found: " + reference.result.message);
       const Eigen::VectorXd response =
           loads.response + reference.solver->compliance().apply(reference.result.traction);
@@ -120,11 +122,19 @@ namespace abut
         return run;
       const std::vector<unsigned int> solves = count_solves(model);
       SchemeResult result;
-      run.seconds = 0.;
+      double seconds = 0.;
+      try
       {
-        const Stopwatch watch(run.seconds);
+        const Stopwatch watch(seconds);
         result = InterfaceSolver(model.problem(), parameters).solve(loads, {}, {});
       }
+      catch (const ComputationError &error) // the others are told nevertheless
+      {
+        run.message = error.what();
+        run.failed = true;
+        return run;
+      }
+      run.seconds = seconds;
       run.solves = most_solves_since(solves, model);
       run.converged = result.converged();
       run.steps = result.steps;
@@ -165,6 +175,6 @@ namespace abut
           << "; distances from a solution to " << short_number(reference.result.iteration_error, 2) << "\n\n"
           << scheme_table(runs) << dropped_loads(reference) << "\n  The same in " << path << '\n';
     return std::all_of(runs.begin(), runs.end(),
-                       [](const SchemeRun &run) { return !run.steps || run.converged; });
+                       [](const SchemeRun &run) { return !run.failed && (!run.steps || run.converged); });
   }
 } // namespace abut

@@ -5,6 +5,10 @@
 
 namespace abut
 {
+  /// The pressures overlap_i / (k_1 + k_2 + extra_i) of elastic layers, `overlap` as below.
+  Eigen::VectorXd layer_pressures(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
+                                  const Eigen::VectorXd &extra);
+
   /**
    * u^0 from the model of the elastic layer, where every body is a Winkler layer of compliance k_a and
    * `overlap` is the negative part of the gap under the loads alone.

@@ -21,7 +21,8 @@ namespace abut
   class ModelCompliance : public PressureOperator
   {
   public:
-    /// The problem must outlive the object.
+    /// The problem must outlive the object. Throws ComputationError where the numbers leave the machine's
+    /// range.
     explicit ModelCompliance(const InterfaceProblem &problem);
 
     /// C p.

@@ -13,11 +13,11 @@ namespace abut
   {
     std::string scheme;
     std::optional<unsigned int> steps;
-    std::optional<double> predicted_steps; ///< of neumann
-    bool converged = false;
-    unsigned int solves = 0;               ///< right sides of the body that was solved most often
-    double seconds = std::nan("");         ///< of the compliance and the steps
-    double iteration_error = std::nan(""); ///< the scheme's own, see SchemeResult
+    std::optional<double> predicted_steps;  ///< of neumann
+    bool converged = false, failed = false; ///< failed: without a result
+    unsigned int solves = 0;                ///< right sides of the body that was solved most often
+    double seconds = std::nan("");          ///< of the compliance and the steps
+    double iteration_error = std::nan("");  ///< the scheme's own, see SchemeResult
     /// From the reference solution of the same discrete problem, in the energy norm, relative as the
     /// iteration error is.
     double distance = std::nan("");
