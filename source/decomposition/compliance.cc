@@ -12,6 +12,10 @@ namespace abut
     constexpr Index columns_at_once = 32;     // of right sides: bounds the memory of one solve
     constexpr double largest_matrix = 1.25e8; // entries, 1 GB
 
+    /// How much dearer a solve for one right side is than its share in a solve for 32 (measured by `abut
+    /// schemes` with either compliance).
+    constexpr double price_of_one = 4.;
+
     class ComplianceBySolves : public InterfaceCompliance
     {
     public:
@@ -39,17 +43,20 @@ namespace abut
       const std::vector<ComplianceBlock> no_blocks_;
     };
 
-    /// The multipliers of the pairs that a body has a side in.
+    /// The multipliers that press on a body.
     std::vector<Index> multipliers_of(const InterfaceProblem &problem, const std::size_t body)
     {
-      std::vector<Index> result;
-      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-      {
-        const ContactPair &pair = problem.pairs()[i];
+      std::vector<bool> presses(static_cast<std::size_t>(problem.n_pressures()), false);
+      problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
         if (pair.slave().body == body || pair.master().body == body)
-          for (Index k = 0; k < pair.n_multipliers(); ++k)
-            result.push_back(problem.pressure_offset(i) + k);
-      }
+          for (Index k = 0; k < pair.weights().size(); ++k)
+            if (pair.weights()[k] > 0.)
+              presses[static_cast<std::size_t>(offset + k)] = true;
+      });
+      std::vector<Index> result;
+      for (std::size_t k = 0; k < presses.size(); ++k)
+        if (presses[k])
+          result.push_back(static_cast<Index>(k));
       return result;
     }
 
@@ -95,7 +102,7 @@ namespace abut
           : response_size_(problem.response_size()), blocks_(problem.bodies().size())
       {
         for_each_body(blocks_.size(), [&](const std::size_t a) { blocks_[a] = block_of(problem, a); });
-        if (problem.pairs().size() <= 1)
+        if (problem.bodies().size() <= 2)
           blocks_ = {merge(problem, blocks_)};
       }
 
@@ -115,6 +122,33 @@ namespace abut
       std::vector<ComplianceBlock> blocks_;
     };
 
+    /// By solves, until they have cost as much as the matrix would have: then the matrix is made.
+    class SwitchingCompliance : public InterfaceCompliance
+    {
+    public:
+      SwitchingCompliance(const InterfaceProblem &problem, const double matrix_price)
+          : problem_(problem), by_solves_(problem), matrix_price_(matrix_price)
+      {}
+
+      Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override
+      {
+        if (!dense_ && ++n_solves_ > matrix_price_)
+          dense_ = std::make_unique<DenseCompliance>(problem_);
+        return dense_ ? dense_->apply(pressures) : by_solves_.apply(pressures);
+      }
+      const std::vector<ComplianceBlock> &blocks() const override
+      {
+        return dense_ ? dense_->blocks() : by_solves_.blocks();
+      }
+
+    private:
+      const InterfaceProblem &problem_;
+      ComplianceBySolves by_solves_;
+      double matrix_price_; ///< in solves
+      mutable double n_solves_ = 0.;
+      mutable std::unique_ptr<DenseCompliance> dense_;
+    };
+
     /// Most solves that a body needs for its block, and the entries of all blocks.
     std::pair<double, double> cost_of_blocks(const InterfaceProblem &problem)
     {
@@ -129,13 +163,16 @@ namespace abut
     }
   } // namespace
 
-  std::unique_ptr<InterfaceCompliance> make_compliance(const InterfaceProblem &problem,
-                                                       const ComplianceMode mode, const double expected_steps)
+  std::unique_ptr<InterfaceCompliance>
+  make_compliance(const InterfaceProblem &problem, const ComplianceMode mode, const double expected_solves)
   {
     const auto [solves, entries] = cost_of_blocks(problem);
+    const bool fits = entries <= largest_matrix;
     if (mode == ComplianceMode::dense ||
-        (mode == ComplianceMode::automatic && entries <= largest_matrix && solves <= expected_steps))
+        (mode == ComplianceMode::automatic && fits && solves <= price_of_one * expected_solves))
       return std::make_unique<DenseCompliance>(problem);
+    if (mode == ComplianceMode::automatic && fits)
+      return std::make_unique<SwitchingCompliance>(problem, solves / price_of_one);
     return std::make_unique<ComplianceBySolves>(problem);
   }
 } // namespace abut

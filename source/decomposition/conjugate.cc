@@ -36,9 +36,7 @@ namespace abut
     public:
       ScaledProblem(const ContactSystem &system, const double softness)
           : problem_(system.problem), compliance_(system.compliance), motions_(system.motions),
-            scaling_(
-                (problem_.weights().array() > 0.).select(problem_.weights().array().max(1e-300).rsqrt(), 0.)),
-            softness_(softness * motions_.layer_stiffness)
+            scaling_(problem_.weights().array().rsqrt()), softness_(softness * motions_.layer_stiffness)
       {
         if (motions_.size() > 0)
           factor_.compute(motions_.stiffness + Eigen::MatrixXd(softness_.asDiagonal()));

@@ -12,67 +12,48 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    /// The multipliers of a pair with a weight, along the slave side.
-    std::vector<Index> along_side(const InterfaceProblem &problem, const std::size_t pair)
-    {
-      const ContactBody &slave = problem.pairs()[pair].slave();
-      const std::vector<double> &places =
-          problem.bodies()[slave.body]->contact_sides()[slave.side].node_arc_lengths();
-      const Index first = problem.pressure_offset(pair);
-      std::vector<Index> order;
-      for (Index k = 0; k < problem.pairs()[pair].n_multipliers(); ++k)
-        if (problem.weights()[first + k] > 0.)
-          order.push_back(first + k);
-      const auto place = [&](const Index i) { return places[static_cast<std::size_t>(i - first)]; };
-      std::sort(order.begin(), order.end(),
-                [&](const Index i, const Index j) { return place(i) < place(j); });
-      return order;
-    }
-
-    /// Sum over up to `reach` neighbours on both sides.
-    double sum_around(const std::vector<Index> &order, const std::size_t k, const Eigen::VectorXd &values)
+    /// Sum over a part and up to `reach` neighbours on both sides in its stretch.
+    double sum_around(const Stretch &stretch, const std::size_t k, const Eigen::VectorXd &values)
     {
       constexpr std::size_t reach = 2;
-      double sum = 0.;
-      for (std::size_t j = k - std::min(k, reach); j < std::min(k + reach + 1, order.size()); ++j)
-        sum += values[order[j]];
-      return sum;
+      const std::size_t first = std::max(stretch.first + reach, k) - reach,
+                        last = std::min(k + reach + 1, stretch.last);
+      return values.segment(static_cast<Index>(first), static_cast<Index>(last - first)).sum();
     }
   } // namespace
 
-  Eigen::VectorXd node_softness(const InterfaceProblem &problem)
+  Eigen::VectorXd part_softness(const InterfaceProblem &problem)
   {
-    Eigen::VectorXd result = problem.weights();
-    for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-    {
-      const ContactPair &pair = problem.pairs()[i];
-      result.segment(problem.pressure_offset(i), pair.n_multipliers()) *=
-          1. / pair.slave().young_modulus() + 1. / pair.master().young_modulus();
-    }
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(problem.n_pressures());
+    problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
+      result.segment(offset, pair.weights().size()) +=
+          (1. / pair.slave().young_modulus + 1. / pair.master().young_modulus) * pair.weights();
+    });
     return result;
   }
 
   ContactResidual::ContactResidual(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
-      : problem_(problem), compliance_(compliance), beta_(node_softness(problem))
+      : problem_(problem), compliance_(compliance), beta_(part_softness(problem))
   {
-    std::vector<std::vector<Index>> orders;
-    Eigen::VectorXd alternating = Eigen::VectorXd::Zero(problem.n_pressures());
-    for (std::size_t pair = 0; pair < problem.pairs().size(); ++pair)
-    {
-      orders.push_back(along_side(problem, pair));
-      for (std::size_t k = 0; k < orders.back().size(); ++k)
-        alternating[orders.back()[k]] = k % 2 == 0 ? 1. : -1.;
-    }
+    const Eigen::VectorXd alternating = Eigen::VectorXd::NullaryExpr(
+        problem.n_pressures(), [](const Index k) { return k % 2 == 0 ? 1. : -1.; });
     const Eigen::VectorXd work =
         compliance.apply(alternating).head(alternating.size()).cwiseProduct(alternating);
     const Eigen::VectorXd squares = problem.weights().cwiseAbs2();
-    for (const std::vector<Index> &order : orders)
-      for (std::size_t k = 0; k < order.size(); ++k)
-      {
-        const double softness = sum_around(order, k, work) / sum_around(order, k, squares);
-        if (softness > 0.) // not where all is held
-          beta_[order[k]] = std::min(beta_[order[k]], softness * problem.weights()[order[k]]);
-      }
+    for (std::size_t surface = 0; surface < problem.surfaces().size(); ++surface)
+    {
+      const Index offset = problem.pressure_offset(surface);
+      const Eigen::VectorXd own_work = problem.of_surface(surface, work),
+                            own_squares = problem.of_surface(surface, squares);
+      for (const Stretch &stretch : problem.surfaces()[surface].partition().stretches())
+        for (std::size_t k = stretch.first; k < stretch.last; ++k)
+        {
+          const double softness = sum_around(stretch, k, own_work) / sum_around(stretch, k, own_squares);
+          const Index multiplier = offset + static_cast<Index>(k);
+          if (softness > 0.) // not where all is held
+            beta_[multiplier] = std::min(beta_[multiplier], softness * problem.weights()[multiplier]);
+        }
+    }
   }
 
   double ContactResidual::guaranteed(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,
@@ -105,12 +86,11 @@ namespace abut
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(pressures.size());
     for (Index i = 0; i < pressures.size(); ++i)
-      if (problem_.weights()[i] > 0.)
-      {
-        const double theta = problem_.penalties()[i];
-        result[i] =
-            pressures[i] - std::max(0., pressures[i] - (gaps[i] + theta * pressures[i]) / (theta + beta[i]));
-      }
+    {
+      const double theta = problem_.penalties()[i];
+      result[i] =
+          pressures[i] - std::max(0., pressures[i] - (gaps[i] + theta * pressures[i]) / (theta + beta[i]));
+    }
     return result;
   }
 

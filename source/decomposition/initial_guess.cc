@@ -9,8 +9,7 @@ namespace abut
 
     /**
      * A rigid-plastic picture of each layer: at its contact nodes body a moves by -k_a p along its outward
-     * normal. The master's nodes take the pressure of the multipliers opposite them, averaged with the
-     * coupling's own weights.
+     * normal. Nodes take the pressure of the parts that load them, averaged with the coupling's own weights.
      */
     Eigen::VectorXd layer_response(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads)
     {
@@ -19,30 +18,25 @@ namespace abut
       Eigen::VectorXd response = loads.response;
       response.head(problem.n_pressures()) +=
           problem.layer_compliances().cwiseProduct(problem.weights()).cwiseProduct(pressures);
-      for (std::size_t i = 0; i < problem.pairs().size(); ++i)
-      {
-        const ContactPair &pair = problem.pairs()[i];
-        const Index offset = problem.pressure_offset(i), n = pair.n_multipliers();
-        const Eigen::VectorXd p = pressures.segment(offset, n);
-        for (const ContactBody *side : {&pair.slave(), &pair.master()})
-        {
-          const TraceBody &body = *problem.bodies()[side->body];
-          const auto &coupling = side == &pair.slave() ? pair.coupling().slave : pair.coupling().master;
-          const Trace &trace = body.contact_sides()[side->side];
-          const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
+      problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
+        const Index n = pair.weights().size();
+        const Eigen::VectorXd p = pressures.segment(offset, n), ones = Eigen::VectorXd::Ones(n);
+        const auto recede = [&](const ContactBody &side, const auto &coupling) {
           const Eigen::VectorXd force = coupling.transpose() * p, measure = coupling.transpose() * ones;
-          const Index first =
-              problem.normal_displacement_offset(side->body) + body.trace_offset(side->side) / 2;
-          for (std::size_t node = 0; node < trace.n_nodes(); ++node)
+          const Index first = problem.normal_displacement_offset(side.body) +
+                              problem.bodies()[side.body]->trace_offset(side.side) / 2;
+          for (std::size_t node = 0; node < side.trace->n_nodes(); ++node)
           {
             const auto k = static_cast<Index>(2 * node);
             const double size = measure.segment(k, 2).norm();
             if (size > 0.)
               response[first + static_cast<Index>(node)] -=
-                  side->layer_compliance * force.segment(k, 2).norm() / size;
+                  side.layer_compliance * force.segment(k, 2).norm() / size;
           }
-        }
-      }
+        };
+        recede(pair.slave(), pair.slave_coupling());
+        recede(pair.master(), pair.master_coupling());
+      });
       return response;
     }
   } // namespace

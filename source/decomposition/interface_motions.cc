@@ -24,9 +24,10 @@ namespace abut
     Eigen::VectorXd side_scales(const InterfaceProblem &problem, const InterfaceMotions &motions)
     {
       std::vector<double> lengths(problem.bodies().size(), 0.);
-      for (const ContactPair &pair : problem.pairs())
+      problem.for_each_pair([&](const ContactPair &pair, Index) {
         for (const ContactBody &side : {pair.slave(), pair.master()})
-          lengths[side.body] += pair.coupling().weights.sum();
+          lengths[side.body] += pair.weights().sum();
+      });
       Eigen::VectorXd scales(motions.size());
       for (std::size_t a = 0; a < lengths.size(); ++a)
         scales.segment(motions.offsets[a], motions.offsets[a + 1] - motions.offsets[a])
@@ -34,20 +35,59 @@ namespace abut
       return scales;
     }
 
-    /// G^T D^-1 G between motions as long as their bodies' sides, with 1 added for what supports resist: the
-    /// mean square of the gaps that the motions make.
-    Eigen::MatrixXd noticed(const InterfaceProblem &problem, const InterfaceMotions &motions,
-                            const Eigen::VectorXd &scales)
+    /// 1 for the motions that supports resist too.
+    Eigen::MatrixXd resisted(const InterfaceMotions &motions)
     {
-      const Eigen::VectorXd weights =
-          (problem.weights().array() > 0.).select(problem.weights().cwiseSqrt().cwiseInverse(), 0.);
-      const Eigen::MatrixXd gaps = weights.asDiagonal() * motions.responses.topRows(problem.n_pressures()) *
+      return Eigen::MatrixXd(
+          (motions.stiffness.diagonal().array() > 0.).cast<double>().matrix().asDiagonal());
+    }
+
+    /// G^T D^-1 G between motions as long as their bodies' sides: the mean square of the gaps that the
+    /// motions make along the common normals.
+    Eigen::MatrixXd noticed_by_gaps(const InterfaceProblem &problem, const InterfaceMotions &motions,
+                                    const Eigen::VectorXd &scales)
+    {
+      const Eigen::MatrixXd gaps = problem.weights().cwiseSqrt().cwiseInverse().asDiagonal() *
+                                   motions.responses.topRows(problem.n_pressures()) *
                                    scales.cwiseInverse().asDiagonal();
-      Eigen::MatrixXd result = gaps.transpose() * gaps;
-      for (Index k = 0; k < motions.size(); ++k)
-        if (motions.stiffness(k, k) > 0.)
-          result(k, k) += 1.;
+      return gaps.transpose() * gaps + resisted(motions);
+    }
+
+    /// The mean square of every body's displacement along its own normals, over the nodes of its sides: no
+    /// contact, on whatever it lies, resists a body that moves along itself, e.g. a disc that turns. The
+    /// common normal with a flat side does not see that, as the body's own does not see that it slides.
+    Eigen::MatrixXd noticed_by_own_normals(const InterfaceProblem &problem, const InterfaceMotions &motions,
+                                           const Eigen::VectorXd &scales)
+    {
+      Eigen::MatrixXd result = resisted(motions);
+      for (std::size_t a = 0; a < problem.bodies().size(); ++a)
+      {
+        const Index n_nodes = problem.bodies()[a]->trace_size() / 2, first = motions.offsets[a],
+                    n = motions.offsets[a + 1] - first;
+        if (n == 0 || n_nodes == 0)
+          continue;
+        const Eigen::MatrixXd normal =
+            motions.responses.block(problem.normal_displacement_offset(a), first, n_nodes, n) *
+            scales.segment(first, n).cwiseInverse().asDiagonal();
+        result.block(first, first, n, n) +=
+            normal.transpose() * normal * (scales[first] * scales[first] / static_cast<double>(n_nodes));
+      }
       return result;
+    }
+
+    /// Motions, a column each, that a mean square is hardly made by, with its root in the last row.
+    struct LooseMotions
+    {
+      Eigen::MatrixXd motions; ///< of unit length
+      Eigen::VectorXd noticed;
+    };
+
+    LooseMotions loose_motions(const Eigen::MatrixXd &mean_square, const Eigen::VectorXd &scales)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(mean_square);
+      const Index n = (solver.eigenvalues().array() < unnoticed * unnoticed).count();
+      return {(scales.cwiseInverse().asDiagonal() * solver.eigenvectors().leftCols(n)).colwise().normalized(),
+              solver.eigenvalues().head(n).cwiseMax(0.).cwiseSqrt()};
     }
 
     [[noreturn]] void refuse(const InterfaceMotions &motions, const Eigen::VectorXd &unbalanced,
@@ -87,6 +127,12 @@ namespace abut
     return amplitudes.segment(offsets[body], offsets[body + 1] - offsets[body]);
   }
 
+  std::size_t InterfaceMotions::body_of(const Index amplitude) const
+  {
+    const auto after = std::upper_bound(offsets.begin(), offsets.end(), amplitude);
+    return static_cast<std::size_t>(after - offsets.begin()) - 1;
+  }
+
   InterfaceMotions interface_motions(const InterfaceProblem &problem)
   {
     std::vector<BodyMotions> of_body(problem.bodies().size());
@@ -118,13 +164,6 @@ namespace abut
 
   namespace
   {
-    /// The body that an amplitude belongs to.
-    std::size_t body_of(const InterfaceMotions &motions, const Index amplitude)
-    {
-      const auto after = std::upper_bound(motions.offsets.begin(), motions.offsets.end(), amplitude);
-      return static_cast<std::size_t>(after - motions.offsets.begin()) - 1;
-    }
-
     /// The largest load on a body that takes part in a motion.
     double largest_load(const InterfaceMotions &motions, const Eigen::VectorXd &motion)
     {
@@ -133,21 +172,27 @@ namespace abut
       for (Index k = 0; k < motions.size(); ++k)
         if (std::abs(motion[k]) > noticeable)
           largest =
-              std::max(largest, motions.of_body(motions.loads, body_of(motions, k)).cwiseAbs().maxCoeff());
+              std::max(largest, motions.of_body(motions.loads, motions.body_of(k)).cwiseAbs().maxCoeff());
       return largest;
     }
 
-    /// The loads on a motion that contact hardly notices: refused where they are more than that explains,
-    /// else told by a sentence.
-    std::string dropped_load(const InterfaceMotions &motions, const Eigen::VectorXd &loose,
-                             const double noticed_share)
+    /// The load on a motion that contact hardly notices, zero where it is round-off; refused where it is more
+    /// than the rounding of a curve explains.
+    double small_load(const InterfaceMotions &motions, const Eigen::VectorXd &loose,
+                      const double noticed_share)
     {
       constexpr double round_off = 1e-9; // of the largest load
       const double load = loose.dot(motions.loads), largest = largest_load(motions, loose);
       if (std::abs(load) <= round_off * largest)
-        return {};
+        return 0.;
       if (std::abs(load) > 10. * noticed_share * largest)
         refuse(motions, load * loose, "no contact resists this motion");
+      return load;
+    }
+
+    /// What is said of a load that is left out.
+    std::string dropped_load(const InterfaceMotions &motions, const Eigen::VectorXd &loose, const double load)
+    {
       Index worst = 0;
       loose.cwiseAbs().maxCoeff(&worst);
       std::ostringstream text;
@@ -155,7 +200,7 @@ namespace abut
       text << motions.names[static_cast<std::size_t>(worst)]
            << " hardly changes a gap (the straight edges of a round side's mesh do as much): a resultant of "
            << load << " along it (force, or moment over the body's extent), "
-           << 100. * std::abs(load) / largest
+           << 100. * std::abs(load) / largest_load(motions, loose)
            << " % of the body's largest load, is left out; add a displacement condition that carries it";
       return text.str();
     }
@@ -190,19 +235,16 @@ namespace abut
     if (motions.size() == 0)
       return {};
     const Eigen::VectorXd scales = side_scales(problem, motions);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(noticed(problem, motions, scales));
-    const Index n_loose = (solver.eigenvalues().array() < unnoticed * unnoticed).count();
-    const Eigen::MatrixXd loose =
-        (scales.cwiseInverse().asDiagonal() * solver.eigenvectors().leftCols(n_loose)).colwise().normalized();
+    const LooseMotions by_gaps = loose_motions(noticed_by_gaps(problem, motions, scales), scales),
+                       by_own_normals =
+                           loose_motions(noticed_by_own_normals(problem, motions, scales), scales);
     HeldMotions held;
-    for (Index k = 0; k < n_loose; ++k)
-    {
-      const std::string dropped =
-          dropped_load(motions, loose.col(k), std::sqrt(std::max(solver.eigenvalues()[k], 0.)));
-      if (!dropped.empty())
-        held.dropped_loads.push_back(dropped);
-    }
-    held.indices = without_loose(loose, motions.size());
+    for (Index k = 0; k < by_gaps.noticed.size(); ++k)
+      if (const double load = small_load(motions, by_gaps.motions.col(k), by_gaps.noticed[k]); load != 0.)
+        held.dropped_loads.push_back(dropped_load(motions, by_gaps.motions.col(k), load));
+    for (Index k = 0; k < by_own_normals.noticed.size(); ++k)
+      small_load(motions, by_own_normals.motions.col(k), by_own_normals.noticed[k]);
+    held.indices = without_loose(by_gaps.motions, motions.size());
     check_balance(problem, motions, held.indices);
     return held;
   }

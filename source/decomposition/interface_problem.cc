@@ -2,7 +2,6 @@
 #include <abut/decomposition/interface_problem.h>
 
 #include <algorithm>
-#include <limits>
 #include <tbb/parallel_for.h>
 
 namespace abut
@@ -40,35 +39,32 @@ namespace abut
   }
 
   InterfaceProblem::InterfaceProblem(const std::vector<const TraceBody *> &bodies,
-                                     const std::vector<ContactPair> &pairs)
-      : bodies_(bodies), pairs_(&pairs)
+                                     const std::vector<ContactSurface> &surfaces)
+      : bodies_(bodies), surfaces_(&surfaces)
   {
     Index n = 0;
-    for (const ContactPair &pair : pairs)
+    for (const ContactSurface &surface : surfaces)
     {
       pressure_offsets_.push_back(n);
-      n += pair.n_multipliers();
+      n += surface.n_multipliers();
     }
-    weights_.resize(n);
-    penalties_.resize(n);
-    layer_compliances_.resize(n);
-    initial_gap_.resize(n);
+    weights_ = penalties_ = layer_compliances_ = initial_gap_ = Eigen::VectorXd::Zero(n);
     std::vector<Triplets> triplets(bodies.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-    {
-      const ContactPair &pair = pairs[i];
-      const Index offset = pressure_offsets_[i], size = pair.n_multipliers();
-      weights_.segment(offset, size) = pair.coupling().weights;
-      initial_gap_.segment(offset, size) = pair.coupling().gap;
-      penalties_.segment(offset, size).setConstant(pair.penalty());
-      layer_compliances_.segment(offset, size)
-          .setConstant(pair.slave().layer_compliance + pair.master().layer_compliance);
+    for_each_pair([&](const ContactPair &pair, const Index offset) {
+      const auto rows = Eigen::seqN(offset, pair.weights().size());
+      weights_(rows) += pair.weights();
+      initial_gap_(rows) += pair.gap_integrals();
+      penalties_(rows) += pair.penalty() * pair.weights();
+      layer_compliances_(rows) +=
+          (pair.slave().layer_compliance + pair.master().layer_compliance) * pair.weights();
       const auto add = [&](const ContactBody &side, const RowMatrix &block) {
         add_block(block, offset, bodies[side.body]->trace_offset(side.side), triplets[side.body]);
       };
-      add(pair.slave(), pair.coupling().slave);
-      add(pair.master(), pair.coupling().master);
-    }
+      add(pair.slave(), pair.slave_coupling());
+      add(pair.master(), pair.master_coupling());
+    });
+    penalties_ = penalties_.cwiseQuotient(weights_);
+    layer_compliances_ = layer_compliances_.cwiseQuotient(weights_);
     response_size_ = n;
     for (std::size_t a = 0; a < bodies.size(); ++a)
     {
@@ -83,28 +79,28 @@ namespace abut
     }
   }
 
-  std::size_t InterfaceProblem::pair_of(const Index multiplier) const
+  std::size_t InterfaceProblem::surface_of(const Index multiplier) const
   {
     const auto after = std::upper_bound(pressure_offsets_.begin(), pressure_offsets_.end(), multiplier);
     return static_cast<std::size_t>(after - pressure_offsets_.begin()) - 1;
   }
 
-  const Vector2 &InterfaceProblem::place(const Index multiplier) const
+  const Part &InterfaceProblem::part(const Index multiplier) const
   {
-    const std::size_t pair = pair_of(multiplier);
-    const ContactBody &slave = pairs()[pair].slave();
-    return bodies_[slave.body]
-        ->contact_sides()[slave.side]
-        .node_points()[static_cast<std::size_t>(multiplier - pressure_offset(pair))];
+    const std::size_t surface = surface_of(multiplier);
+    return surfaces()[surface]
+        .partition()
+        .parts()[static_cast<std::size_t>(multiplier - pressure_offset(surface))];
+  }
+
+  Eigen::VectorXd InterfaceProblem::of_surface(const std::size_t surface, const Eigen::VectorXd &values) const
+  {
+    return values.segment(pressure_offset(surface), surfaces()[surface].n_multipliers());
   }
 
   Eigen::VectorXd InterfaceProblem::gaps(const Eigen::VectorXd &response) const
   {
-    const auto infinity = Eigen::ArrayXd::Constant(n_pressures(), std::numeric_limits<double>::infinity());
-    return (weights_.array() > 0.)
-        .select(response.head(n_pressures()).array() /
-                    weights_.array().max(std::numeric_limits<double>::min()),
-                infinity);
+    return response.head(n_pressures()).cwiseQuotient(weights_);
   }
 
   Eigen::VectorXd InterfaceProblem::pressures(const Eigen::VectorXd &response) const

@@ -20,13 +20,11 @@ namespace abut
 
   namespace
   {
-    /// Solves of each body from which on a scheme is cheaper without the matrix: those it takes then, about
-    /// 40, times the factor by which a solve for one right side is dearer than its share in a solve for 32
-    /// (measured by `abut schemes` with either compliance: as fast at some 180).
+    /// Solves of each body that a scheme takes, roughly.
     double expected_solves(const DecompositionParameters &parameters, const double relaxation,
                            const std::size_t n_motions)
     {
-      constexpr double of_active_sets = 160., of_conjugate_gradients = 100.;
+      constexpr double of_active_sets = 40., of_conjugate_gradients = 25.;
       switch (parameters.scheme)
       {
       case SchemeKind::newton:

@@ -3,8 +3,9 @@
 #include <abut/user_error.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace abut
 {
@@ -14,71 +15,66 @@ namespace abut
 
     const double pi = std::acos(-1.);
 
-    /// The kernel of one pair.
-    class ModelKernel
+    /// The kernel of one body.
+    struct ModelKernel
     {
-    public:
-      explicit ModelKernel(const ContactPair &pair)
-      {
-        const std::array<const ContactBody *, 2> bodies{{&pair.slave(), &pair.master()}};
-        for (std::size_t a = 0; a < bodies.size(); ++a)
-        {
-          factors_[a] = 1. / (pi * bodies[a]->young_modulus());
-          depths_[a] = .5 * bodies[a]->depth;
-        }
-      }
+      double factor, depth;
 
-      double at(const double distance) const
-      {
-        double sum = 0.;
-        for (std::size_t a = 0; a < factors_.size(); ++a)
-          sum += factors_[a] * std::log1p(std::pow(depths_[a] / distance, 2));
-        return sum;
-      }
+      double at(const double distance) const { return factor * std::log1p(std::pow(depth / distance, 2)); }
       /// Mean over the pairs of points of an interval.
       double own(const double width) const
       {
-        double sum = 0.;
-        for (std::size_t a = 0; a < factors_.size(); ++a)
-          sum += factors_[a] * std::max(3. + 2. * std::log(depths_[a] / width), 1.);
-        return sum;
+        return factor * std::max(3. + 2. * std::log(depth / width), 1.);
       }
-
-    private:
-      std::array<double, 2> factors_, depths_;
     };
 
-    Eigen::MatrixXd model_block(const InterfaceProblem &problem, const std::size_t pair)
+    /// What the parts of a surface press on one body.
+    struct PressedBody
     {
-      const ModelKernel kernel(problem.pairs()[pair]);
-      const Index first = problem.pressure_offset(pair), n = problem.pairs()[pair].n_multipliers();
-      const Eigen::VectorXd weights = problem.weights().segment(first, n);
-      Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n, n);
-      for (Index j = 0; j < n; ++j)
+      ModelKernel kernel;
+      Eigen::VectorXd weights; ///< by parts
+    };
+
+    std::map<std::size_t, PressedBody> pressed_bodies(const ContactSurface &surface)
+    {
+      std::map<std::size_t, PressedBody> bodies;
+      for (const ContactPair &pair : surface.pairs())
+        for (const ContactBody &side : {pair.slave(), pair.master()})
+          bodies
+              .try_emplace(side.body, PressedBody{{1. / (pi * side.young_modulus), .5 * side.depth},
+                                                  Eigen::VectorXd::Zero(surface.n_multipliers())})
+              .first->second.weights += pair.weights();
+      return bodies;
+    }
+
+    /// Adds what one body yields to the parts of a stretch.
+    void add_body(const PressedBody &body, const std::vector<Part> &parts, const Stretch &stretch,
+                  Eigen::MatrixXd &block)
+    {
+      const Eigen::VectorXd weights = body.weights.segment(static_cast<Index>(stretch.first), block.rows());
+      const auto middle = [&](const Index k) -> const Vector2 & {
+        return parts[stretch.first + static_cast<std::size_t>(k)].middle;
+      };
+      for (Index j = 0; j < block.cols(); ++j)
       {
         if (weights[j] == 0.)
           continue;
-        const Vector2 &here = problem.place(first + j);
-        block(j, j) = weights[j] * weights[j] * kernel.own(weights[j]);
-        for (Index i = j + 1; i < n; ++i)
+        block(j, j) += weights[j] * weights[j] * body.kernel.own(weights[j]);
+        for (Index i = j + 1; i < block.rows(); ++i)
           if (weights[i] > 0.)
-            block(i, j) = block(j, i) =
-                weights[j] * weights[i] * kernel.at((problem.place(first + i) - here).norm());
+            block(i, j) += weights[j] * weights[i] * body.kernel.at((middle(i) - middle(j)).norm());
       }
-      return block;
     }
 
-    /// On very uneven nodes the means of the diagonal may be too small: they are raised until the block is
-    /// positive definite. Multipliers without weight take no part.
+    /// On very uneven parts the means of the diagonal may be too small: they are raised until the block is
+    /// positive definite.
     void make_definite(Eigen::MatrixXd &block)
     {
       const Eigen::VectorXd own = block.diagonal();
-      const Eigen::VectorXd absent = (own.array() > 0.).select(Eigen::VectorXd::Zero(own.size()), 1.);
       constexpr int most_raises = 20;
       for (int i = 0; i < most_raises; ++i)
       {
-        const Eigen::MatrixXd present = block + Eigen::MatrixXd(absent.asDiagonal());
-        if (Eigen::LLT<Eigen::MatrixXd>(present).info() == Eigen::Success)
+        if (Eigen::LLT<Eigen::MatrixXd>(block).info() == Eigen::Success)
           return;
         block.diagonal() += own;
       }
@@ -90,20 +86,30 @@ namespace abut
 
   ModelCompliance::ModelCompliance(const InterfaceProblem &problem) : problem_(problem)
   {
-    for (std::size_t pair = 0; pair < problem.pairs().size(); ++pair)
+    for (std::size_t i = 0; i < problem.surfaces().size(); ++i)
     {
-      blocks_.push_back(model_block(problem, pair));
-      make_definite(blocks_.back());
+      const ContactSurface &surface = problem.surfaces()[i];
+      const auto bodies = pressed_bodies(surface);
+      for (const Stretch &stretch : surface.partition().stretches())
+      {
+        const auto n = static_cast<Index>(stretch.last - stretch.first);
+        Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n, n);
+        for (const auto &[index, body] : bodies)
+          add_body(body, surface.partition().parts(), stretch, block);
+        block = Eigen::MatrixXd(block.selfadjointView<Eigen::Lower>());
+        make_definite(block);
+        blocks_.push_back({problem.pressure_offset(i) + static_cast<Index>(stretch.first), std::move(block)});
+      }
     }
   }
 
   Eigen::VectorXd ModelCompliance::respond(const Eigen::VectorXd &pressures) const
   {
     Eigen::VectorXd result(pressures.size());
-    for (std::size_t pair = 0; pair < blocks_.size(); ++pair)
+    for (const Block &block : blocks_)
     {
-      const Index first = problem_.pressure_offset(pair), n = blocks_[pair].rows();
-      result.segment(first, n) = blocks_[pair] * pressures.segment(first, n);
+      const auto own = Eigen::seqN(block.first, block.matrix.rows());
+      result(own) = block.matrix * pressures(own);
     }
     return result;
   }
@@ -117,17 +123,19 @@ namespace abut
   ModelCompliance::Factor::Factor(const ModelCompliance &model, const ActiveSet &active)
   {
     const InterfaceProblem &problem = model.problem_;
-    for (std::size_t pair = 0, k = 0; pair < model.blocks_.size(); ++pair)
+    std::size_t k = 0;
+    for (const Block &block : model.blocks_)
     {
-      const Index first = problem.pressure_offset(pair), n = model.blocks_[pair].rows();
-      ActiveSet own; // of the pair; active sets are in increasing order
-      for (; k < active.size() && active[k] < first + n; ++k)
-        own.push_back(active[k] - first);
+      const Index n = block.matrix.rows();
+      ActiveSet own; // of the block; active sets are in increasing order
+      for (; k < active.size() && active[k] < block.first + n; ++k)
+        own.push_back(active[k] - block.first);
       if (own.empty())
         continue;
-      Eigen::MatrixXd matrix = model.blocks_[pair](own, own);
-      matrix.diagonal() +=
-          problem.weights().segment(first, n).cwiseProduct(problem.penalties().segment(first, n))(own);
+      Eigen::MatrixXd matrix = block.matrix(own, own);
+      matrix.diagonal() += problem.weights()
+                               .segment(block.first, n)
+                               .cwiseProduct(problem.penalties().segment(block.first, n))(own);
       blocks_.emplace_back(matrix);
     }
   }

@@ -14,8 +14,7 @@ namespace abut
     {
       const Eigen::VectorXd softness =
           problem.weights().cwiseProduct(problem.layer_compliances() + problem.penalties());
-      const Eigen::VectorXd stiffness = (softness.array() > 0.).select(softness.cwiseInverse(), 0.);
-      return gaps.cwiseAbs2().transpose() * stiffness;
+      return gaps.cwiseAbs2().transpose() * softness.cwiseInverse();
     }
   } // namespace
 
@@ -28,8 +27,12 @@ namespace abut
 
   double MotionTerms::force_scale(const Eigen::VectorXd &pressures) const
   {
-    const Eigen::VectorXd sums = gaps.cwiseAbs().transpose() * pressures.cwiseAbs();
-    return size() > 0 ? std::max(loads.cwiseAbs().maxCoeff(), sums.maxCoeff()) : 0.;
+    if (size() == 0)
+      return 0.;
+    const Eigen::VectorXd along = gaps.cwiseAbs().transpose() * pressures.cwiseAbs(),
+                          on_bodies = reach * pressures.cwiseAbs();
+    // What presses a body is opposed by as much: half of the sum.
+    return std::max({loads.cwiseAbs().maxCoeff(), along.maxCoeff(), .5 * on_bodies.maxCoeff()});
   }
 
   bool MotionTerms::is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes) const
@@ -39,6 +42,23 @@ namespace abut
     return imbalance(pressures, amplitudes) <=
            share * force_scale(pressures) + round_off * layer_stiffness.dot(amplitudes.cwiseAbs());
   }
+
+  namespace
+  {
+    Eigen::MatrixXd reach_of(const InterfaceProblem &problem, const MotionTerms &terms)
+    {
+      Eigen::MatrixXd reach = Eigen::MatrixXd::Zero(terms.size(), problem.n_pressures());
+      for (Index k = 0; k < terms.size(); ++k)
+      {
+        const std::size_t body = terms.all.body_of(terms.held[static_cast<std::size_t>(k)]);
+        problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
+          if (pair.slave().body == body || pair.master().body == body)
+            reach.row(k).segment(offset, pair.weights().size()) += pair.weights().transpose();
+        });
+      }
+      return reach;
+    }
+  } // namespace
 
   MotionTerms make_motion_terms(const InterfaceProblem &problem)
   {
@@ -50,6 +70,7 @@ namespace abut
     terms.gaps = terms.all.responses(Eigen::seqN(0, problem.n_pressures()), terms.held);
     terms.stiffness = terms.all.stiffness(terms.held, terms.held);
     terms.loads = terms.all.loads(terms.held);
+    terms.reach = reach_of(problem, terms);
     terms.layer_stiffness = layer_stiffnesses(problem, terms.gaps);
     return terms;
   }

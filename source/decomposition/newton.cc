@@ -16,17 +16,17 @@ namespace abut
     std::string failure(const PivotResult &result, const DecompositionParameters &parameters)
     {
       if (result.too_many)
-        return "The scheme newton has not found the nodes in contact within Decomposition/Maximum steps = " +
+        return "The scheme newton has not found the parts in contact within Decomposition/Maximum steps = " +
                std::to_string(parameters.maximum_steps);
       if (!result.balanced)
         return "The scheme newton has not found contact forces that balance the floating bodies; check their "
                "loads and what they touch, or add displacement conditions";
       if (result.cycles)
-        return "The scheme newton has come back to a set of contact nodes it had left: rounding keeps it "
+        return "The scheme newton has come back to a set of parts in contact it had left: rounding keeps it "
                "from "
                "deciding between them; give the contacts a small Penalty coefficient or take the scheme "
                "conjugate";
-      return "The scheme newton has found the nodes in contact, but round-off keeps the error above the "
+      return "The scheme newton has found the parts in contact, but round-off keeps the error above the "
              "tolerance; raise Decomposition/Tolerance";
     }
 
@@ -36,11 +36,10 @@ namespace abut
     double least_slave_share(const InterfaceProblem &problem)
     {
       double least = 1.;
-      for (const ContactPair &pair : problem.pairs())
-      {
-        const double slave = pair.slave().young_modulus(), master = pair.master().young_modulus();
+      problem.for_each_pair([&](const ContactPair &pair, Eigen::Index) {
+        const double slave = pair.slave().young_modulus, master = pair.master().young_modulus;
         least = std::min(least, 1. / (1. + slave / master));
-      }
+      });
       return least;
     }
 

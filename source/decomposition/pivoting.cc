@@ -142,10 +142,7 @@ namespace abut
     const Eigen::VectorXd slack = gaps + moved + state.response.head(n);
     const Eigen::ArrayXd sizes =
         gaps.array().abs() + moved.array().abs() + state.response.head(n).array().abs();
-    double gap_size = 0.;
-    for (Index i = 0; i < n; ++i)
-      if (problem_.weights()[i] > 0.)
-        gap_size = std::max(gap_size, sizes[i] / problem_.weights()[i]);
+    const double gap_size = n > 0 ? (sizes / problem_.weights().array()).maxCoeff() : 0.;
     const double tolerance = 10. * accuracy_, pressure_size = state.pressures.lpNorm<Eigen::Infinity>();
     Eigen::VectorXd violation = Eigen::VectorXd::Zero(n); // by what is allowed
     std::vector<Index> result;
@@ -176,7 +173,7 @@ namespace abut
   {
     std::vector<bool> active(static_cast<std::size_t>(gaps.size()));
     for (Index i = 0; i < gaps.size(); ++i)
-      active[static_cast<std::size_t>(i)] = pressures[i] > 0. && problem_.weights()[i] > 0.;
+      active[static_cast<std::size_t>(i)] = pressures[i] > 0.;
     Eigen::VectorXd softness = first_softness * motions_.layer_stiffness, before = motions;
     PivotResult result;
     BlockPivoting pivoting;

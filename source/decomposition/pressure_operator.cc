@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace abut
@@ -18,7 +19,8 @@ namespace abut
     [[noreturn]] void refuse_dependent_multipliers()
     {
       throw ComputationError(
-          "The interface compliance is not positive definite: some contact nodes can move on neither side. "
+          "The interface compliance is not positive definite: some parts of a contact can move on neither "
+          "side. "
           "Let the contact sides end before held nodes, or give the contacts a small Penalty coefficient");
     }
 
@@ -50,31 +52,35 @@ namespace abut
       Eigen::VectorXd diagonal_, with_penalty_;
     };
 
-    /// The compliance of the bodies themselves.
+    /**
+     * The compliance of the bodies themselves. As a matrix it is factorised, densely where it is one block,
+     * sparsely where there are many; else conjugate gradients run on the active set until the compliance has
+     * become a matrix.
+     */
     class BodiesOperator : public PressureOperator
     {
     public:
-      BodiesOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance)
-          : problem_(problem), compliance_(compliance)
+      BodiesOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                     const ModelCompliance &model)
+          : problem_(problem), compliance_(compliance), model_(model)
       {}
 
       Eigen::VectorXd respond(const Eigen::VectorXd &pressures) const override
       {
         return compliance_.apply(pressures);
       }
-
-    protected:
-      const InterfaceProblem &problem_;
-      const InterfaceCompliance &compliance_;
-    };
-
-    class DenseOperator : public BodiesOperator
-    {
-    public:
-      using BodiesOperator::BodiesOperator;
-
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
-                            double) const override
+                            const double accuracy) const override
+      {
+        if (!compliance_.is_dense())
+          if (const auto solutions = iterate(active, right_sides, accuracy))
+            return *solutions;
+        return compliance_.blocks().size() == 1 ? solve_dense(active, right_sides)
+                                                : solve_sparse(active, right_sides);
+      }
+
+    private:
+      Eigen::MatrixXd solve_dense(const ActiveSet &active, const Eigen::MatrixXd &right_sides) const
       {
         Eigen::MatrixXd matrix = compliance_.blocks().front().matrix(active, active);
         matrix.diagonal() += penalty_terms(problem_, active);
@@ -84,16 +90,8 @@ namespace abut
           refuse_dependent_multipliers();
         return scaling.asDiagonal() * factor.solve(scaling.asDiagonal() * right_sides);
       }
-    };
 
-    /// Many bodies: the matrix has blocks where two pairs share a body, and a sparse factor.
-    class BlockOperator : public BodiesOperator
-    {
-    public:
-      using BodiesOperator::BodiesOperator;
-
-      Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
-                            double) const override
+      Eigen::MatrixXd solve_sparse(const ActiveSet &active, const Eigen::MatrixXd &right_sides) const
       {
         const Eigen::SparseMatrix<double> matrix = assemble(active);
         const Eigen::VectorXd scaling = Eigen::VectorXd(matrix.diagonal()).cwiseSqrt().cwiseInverse();
@@ -104,7 +102,6 @@ namespace abut
         return scaling.asDiagonal() * factor.solve(scaling.asDiagonal() * right_sides);
       }
 
-    private:
       Eigen::SparseMatrix<double> assemble(const ActiveSet &active) const
       {
         std::vector<int> position(static_cast<std::size_t>(problem_.n_pressures()), -1);
@@ -127,30 +124,27 @@ namespace abut
         matrix.setFromTriplets(entries.begin(), entries.end());
         return matrix;
       }
-    };
 
-    /// Preconditioned conjugate gradients on the active set.
-    class IterativeOperator : public BodiesOperator
-    {
-    public:
-      IterativeOperator(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                        const ModelCompliance &model)
-          : BodiesOperator(problem, compliance), model_(model)
-      {}
-
-      Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
-                            const double accuracy) const override
+      /// By conjugate gradients with the model as preconditioner; nothing where the compliance has become a
+      /// matrix meanwhile.
+      std::optional<Eigen::MatrixXd> iterate(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
+                                             const double accuracy) const
       {
         const ModelCompliance::Factor preconditioner(model_, active);
         Eigen::MatrixXd solutions(right_sides.rows(), right_sides.cols());
         for (Index k = 0; k < right_sides.cols(); ++k)
-          solutions.col(k) = iterate(active, preconditioner, right_sides.col(k), accuracy);
+        {
+          const auto solution = iterate(active, preconditioner, right_sides.col(k), accuracy);
+          if (!solution)
+            return {};
+          solutions.col(k) = *solution;
+        }
         return solutions;
       }
 
-    private:
-      Eigen::VectorXd iterate(const ActiveSet &active, const ModelCompliance::Factor &preconditioner,
-                              const Eigen::VectorXd &right_side, const double accuracy) const
+      std::optional<Eigen::VectorXd> iterate(const ActiveSet &active,
+                                             const ModelCompliance::Factor &preconditioner,
+                                             const Eigen::VectorXd &right_side, const double accuracy) const
       {
         constexpr int most_iterations = 1000;
         const Eigen::VectorXd penalties = penalty_terms(problem_, active);
@@ -164,11 +158,13 @@ namespace abut
           whole(active) = direction;
           const Eigen::VectorXd product =
               compliance_.apply(whole)(active) + penalties.cwiseProduct(direction);
+          if (compliance_.is_dense())
+            return {};
           const double curvature = direction.dot(product);
           if (!(curvature > 0.))
             refuse_dependent_multipliers();
           if (i == most_iterations)
-            throw ComputationError("Conjugate gradients on the active contact nodes have not converged in " +
+            throw ComputationError("Conjugate gradients on the parts in contact have not converged in " +
                                    std::to_string(most_iterations) +
                                    " iterations; set Decomposition/Interface compliance to dense");
           x += rho / curvature * direction;
@@ -182,6 +178,8 @@ namespace abut
         return x;
       }
 
+      const InterfaceProblem &problem_;
+      const InterfaceCompliance &compliance_;
       const ModelCompliance &model_;
     };
   } // namespace
@@ -195,10 +193,6 @@ namespace abut
                                                            const InterfaceCompliance &compliance,
                                                            const ModelCompliance &model)
   {
-    if (!compliance.is_dense())
-      return std::make_unique<IterativeOperator>(problem, compliance, model);
-    if (compliance.blocks().size() == 1)
-      return std::make_unique<DenseOperator>(problem, compliance);
-    return std::make_unique<BlockOperator>(problem, compliance);
+    return std::make_unique<BodiesOperator>(problem, compliance, model);
   }
 } // namespace abut

@@ -28,7 +28,7 @@ namespace abut
     // p = S q with S = (D theta)^(-1/2) turns the pencil (C, D theta) into the symmetric matrix S C S.
     Eigen::ArrayXd scaling = Eigen::ArrayXd::Zero(n);
     for (Index i = 0; i < n; ++i)
-      if (problem.weights()[i] > 0. && (active == nullptr || (*active)[i] > 0.))
+      if (active == nullptr || (*active)[i] > 0.)
         scaling[i] = 1. / std::sqrt(problem.weights()[i] * problem.penalties()[i]);
     if (scaling.isZero(0.))
       return 1.;

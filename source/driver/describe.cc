@@ -29,11 +29,17 @@ namespace abut
 
     void describe_pair(const ContactPair &pair, const ContactDescription &description, std::ostream &out)
     {
+      const Eigen::Index n_parts = (pair.weights().array() > 0.).count();
       out << "Contact " << pair.name() << ": slave " << description.slave.body << ':'
           << description.slave.boundary << ", master " << description.master.body << ':'
-          << description.master.boundary << ", " << pair.n_multipliers() << " multipliers\n"
-          << "  gap (" << (pair.gap_from_geometry() ? "geometry" : description.gap->text())
-          << "): " << pair.coupling().smallest_gap << " to " << pair.coupling().largest_gap << '\n'
+          << description.master.boundary << ", " << n_parts << " multipliers\n";
+      if (n_parts == 0)
+      {
+        out << "  other bodies lie between its sides everywhere\n";
+        return;
+      }
+      out << "  gap (" << (pair.gap_from_geometry() ? "geometry" : description.gap->text())
+          << "): " << pair.smallest_gap() << " to " << pair.largest_gap() << '\n'
           << "  theta = " << pair.penalty() << "; the master faces " << 100. * pair.coverage()
           << " % of the slave\n";
     }
@@ -48,7 +54,7 @@ namespace abut
       n_unknowns += body->space().n_dofs();
     }
     for (std::size_t i = 0; i < pairs().size(); ++i)
-      describe_pair(pairs()[i], scene_.contacts[i], out);
+      describe_pair(*pairs()[i], scene_.contacts[i], out);
     out << "In all: " << bodies().size() << " bodies, " << pairs().size() << " contacts, " << n_unknowns
         << " unknowns\n";
   }

@@ -26,10 +26,10 @@ namespace abut
         marks[side.body].refine[cell] = true;
         marks[side.body].coarsen[cell] = false;
       };
-      for (const Piece &piece : result.missed)
+      for (const MissedContact &missed : result.missed)
       {
-        mark_segment(pair.slave(), piece.slave_segment);
-        mark_segment(pair.master(), piece.master_segment);
+        mark_segment(pair.cut_side(), missed.piece.cut_segment);
+        mark_segment(pair.other_side(), missed.piece.other_segment);
       }
     }
   } // namespace
@@ -118,23 +118,21 @@ namespace abut
     return estimation;
   }
 
-  double law_mismatch(const std::vector<ContactPair> &pairs, const std::vector<BodyResult> &bodies)
+  double law_mismatch(const std::vector<const ContactPair *> &pairs, const std::vector<BodyResult> &bodies)
   {
     double sum = 0.;
-    for (const ContactPair &pair : pairs)
+    for (const ContactPair *pair : pairs)
     {
       const auto on_side = [&](const ContactBody &side, const Eigen::VectorXd &trace) -> Eigen::VectorXd {
-        const Body &body = *bodies[side.body].body;
-        const auto size = static_cast<Eigen::Index>(2 * body.contact_sides()[side.side].n_nodes());
-        return trace.segment(body.trace_offset(side.side), size);
+        return trace.segment(bodies[side.body].body->trace_offset(side.side),
+                             static_cast<Eigen::Index>(2 * side.trace->n_nodes()));
       };
       const auto displacement = [&](const ContactBody &side) {
         return on_side(side, bodies[side.body].body->trace_of(bodies[side.body].displacement));
       };
-      const BodyResult &slave = bodies[pair.slave().body];
-      const Trace &trace = slave.body->contact_sides()[pair.slave().side];
-      sum += pair.law_mismatch(trace, displacement(pair.slave()), displacement(pair.master()),
-                               applied_traction(trace, on_side(pair.slave(), slave.contact_forces)));
+      const ContactBody &cut = pair->cut_side();
+      sum += pair->law_mismatch(displacement(cut), displacement(pair->other_side()),
+                                applied_traction(*cut.trace, on_side(cut, bodies[cut.body].contact_forces)));
     }
     return sum;
   }

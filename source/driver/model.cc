@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/contact/elastic_layer.h>
+#include <abut/contact/pressure_profile.h>
 #include <abut/driver/model.h>
 
 #include <algorithm>
@@ -19,24 +19,6 @@ namespace abut
             sides.push_back(side.boundary);
       return sides;
     }
-
-    /// A trace vector with nodal values of one side in the first components, zero elsewhere.
-    Eigen::VectorXd first_components(const Body &body, const std::size_t side, const Eigen::VectorXd &values)
-    {
-      Eigen::VectorXd trace = Eigen::VectorXd::Zero(body.trace_size());
-      for (Index node = 0; node < values.size(); ++node)
-        trace[body.trace_offset(side) + 2 * node] = values[node];
-      return trace;
-    }
-
-    Eigen::VectorXd first_components_of(const Body &body, const std::size_t side,
-                                        const Eigen::VectorXd &trace)
-    {
-      Eigen::VectorXd values(static_cast<Index>(body.contact_sides()[side].n_nodes()));
-      for (Index node = 0; node < values.size(); ++node)
-        values[node] = trace[body.trace_offset(side) + 2 * node];
-      return values;
-    }
   } // namespace
 
   Model::Model(const Scene &scene, const ExactSolution *const exact)
@@ -45,11 +27,16 @@ namespace abut
     for (std::size_t a = 0; a < scene.bodies.size(); ++a)
       bodies_.push_back(std::make_unique<Body>(with_exact_conditions(scene, a, exact),
                                                contact_sides(scene, scene.bodies[a].name)));
+    std::vector<PairInput> inputs;
     for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+      inputs.push_back(pair_input(i));
+    groups_ = ContactSurface::group(inputs);
+    surface_of_.resize(inputs.size());
+    for (std::size_t k = 0; k < groups_.size(); ++k)
     {
-      contact_bodies_.push_back(
-          {{contact_body(scene.contacts[i].slave), contact_body(scene.contacts[i].master)}});
-      pairs_.push_back(make_pair(i));
+      for (const std::size_t i : groups_[k])
+        surface_of_[i] = k;
+      surfaces_.push_back(make_surface(groups_[k]));
     }
     make_problem();
   }
@@ -61,25 +48,34 @@ namespace abut
     const auto position =
         static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side.boundary) - sides.begin());
     const Body &body = *bodies_[index];
-    const double depth = body.contact_depth(position);
-    return {index, position, depth, depth / body.material().young_modulus,
-            layer_compliance(body.material(), depth)};
+    return {index, position, body.contact_sides()[position], body.material(), body.contact_depth(position)};
   }
 
-  ContactPair Model::make_pair(const std::size_t index) const
+  PairInput Model::pair_input(const std::size_t index) const
   {
-    const auto &[slave, master] = contact_bodies_[index];
-    return ContactPair(scene_.contacts[index], scene_.bodies[slave.body].placement, slave, master,
-                       bodies_[slave.body]->contact_sides()[slave.side],
-                       bodies_[master.body]->contact_sides()[master.side]);
+    const ContactDescription &contact = scene_.contacts[index];
+    return {&contact, &scene_.bodies[scene_.body_index(contact.slave.body)].placement,
+            contact_body(contact.slave), contact_body(contact.master)};
+  }
+
+  ContactSurface Model::make_surface(const std::vector<std::size_t> &group) const
+  {
+    std::vector<PairInput> inputs;
+    for (const std::size_t i : group)
+      inputs.push_back(pair_input(i));
+    return ContactSurface(inputs);
   }
 
   void Model::make_problem()
   {
+    pairs_.assign(surface_of_.size(), nullptr);
+    for (std::size_t k = 0; k < groups_.size(); ++k)
+      for (std::size_t i = 0; i < groups_[k].size(); ++i)
+        pairs_[groups_[k][i]] = &surfaces_[k].pairs()[i];
     std::vector<const TraceBody *> trace_bodies;
     for (const auto &body : bodies_)
       trace_bodies.push_back(body.get());
-    problem_ = std::make_unique<InterfaceProblem>(trace_bodies, pairs_);
+    problem_ = std::make_unique<InterfaceProblem>(trace_bodies, surfaces_);
   }
 
   Counts Model::counts() const
@@ -105,47 +101,36 @@ namespace abut
     times.factorise += longest.factorise;
   }
 
+  bool Model::is_new(const ContactSurface &surface) const
+  {
+    return std::any_of(surface.pairs().begin(), surface.pairs().end(), [&](const ContactPair &pair) {
+      return !is_prepared_[pair.slave().body] || !is_prepared_[pair.master().body];
+    });
+  }
+
   CarriedState Model::adapt(const std::vector<CellMarks> &marks, const CarriedState &state)
   {
     CarriedState carried = state;
-    std::vector<Eigen::VectorXd> pressures; // pair by pair
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      pressures.push_back(state.pressures.segment(problem_->pressure_offset(i), pairs_[i].n_multipliers()));
-
+    std::vector<PressureProfile> profiles; // before the sides change
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      profiles.emplace_back(surfaces_[k], problem_->of_surface(k, state.pressures));
     for (std::size_t a = 0; a < bodies_.size(); ++a)
-      if (marks[a].any())
-        adapt_body(a, marks[a], carried.displacements[a], pressures);
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      if (!is_prepared_[pairs_[i].slave().body] || !is_prepared_[pairs_[i].master().body])
-        pairs_[i] = make_pair(i);
+    {
+      if (!marks[a].any())
+        continue;
+      const unsigned int meshes_before = bodies_[a]->counters().meshes;
+      carried.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
+      if (bodies_[a]->counters().meshes != meshes_before)
+        is_prepared_[a] = false;
+    }
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      if (is_new(surfaces_[k]))
+        surfaces_[k] = make_surface(groups_[k]);
     make_problem();
-
     carried.pressures.resize(problem_->n_pressures());
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      carried.pressures.segment(problem_->pressure_offset(i), pressures[i].size()) = pressures[i];
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      carried.pressures.segment(problem_->pressure_offset(k), surfaces_[k].n_multipliers()) =
+          profiles[k].on_parts_of(surfaces_[k]);
     return carried;
-  }
-
-  void Model::adapt_body(const std::size_t index, const CellMarks &marks, Eigen::VectorXd &displacement,
-                         std::vector<Eigen::VectorXd> &pressures)
-  {
-    Body &body = *bodies_[index];
-    std::vector<Eigen::VectorXd> fields = {displacement};
-    std::vector<std::size_t> slaves; // pairs whose slave side the body has
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      if (pairs_[i].slave().body == index)
-      {
-        slaves.push_back(i);
-        fields.push_back(body.extended_by_zero(first_components(body, pairs_[i].slave().side, pressures[i])));
-      }
-    const unsigned int meshes_before = body.counters().meshes;
-    const std::vector<Eigen::VectorXd> carried = body.adapt(marks, fields);
-    if (body.counters().meshes == meshes_before)
-      return;
-    is_prepared_[index] = false;
-    displacement = carried[0];
-    for (std::size_t k = 0; k < slaves.size(); ++k)
-      pressures[slaves[k]] =
-          first_components_of(body, pairs_[slaves[k]].slave().side, body.trace_of(carried[k + 1]));
   }
 } // namespace abut

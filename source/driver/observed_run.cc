@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/observed_run.h>
-#include <abut/report/nodes_by_arc_length.h>
 #include <abut/user_error.h>
 
 #include <algorithm>
@@ -40,9 +39,8 @@ namespace abut
     Polyline pressure_curve(const PairResult &pair)
     {
       Polyline points;
-      for (const std::size_t node : nodes_by_arc_length(*pair.slave))
-        points.emplace_back(pair.slave->node_points()[node].x(),
-                            pair.pressures[static_cast<Eigen::Index>(node)]);
+      for (const std::size_t k : pair.parts)
+        points.emplace_back(pair.part(k).place.x(), pair.pressures[static_cast<Eigen::Index>(k)]);
       return sorted_by_x(std::move(points));
     }
 

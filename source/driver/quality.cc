@@ -50,18 +50,18 @@ namespace abut
       return cells;
     }
 
-    /// Middles of the slave's edges within which contact begins or ends.
+    /// Places between a part that presses and one that does not.
     std::vector<Vector2> contact_ends(const std::vector<PairResult> &pairs)
     {
       std::vector<Vector2> places;
       for (const PairResult &pair : pairs)
-        for (const Segment &segment : pair.slave->segments())
-        {
-          const auto first = static_cast<Index>(segment.nodes.front()),
-                     last = static_cast<Index>(segment.nodes.back());
-          if ((pair.pressures[first] > 0.) != (pair.pressures[last] > 0.))
-            places.push_back(.5 * (segment.points.front() + segment.points.back()));
-        }
+      {
+        const auto neighbours = pair.surface->partition().neighbours();
+        for (const std::size_t k : pair.parts)
+          for (const std::size_t neighbour : neighbours[k])
+            if (pair.presses(k) && !pair.presses(neighbour))
+              places.push_back(.5 * (pair.part(k).middle + pair.part(neighbour).middle));
+      }
       return places;
     }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace abut
 {
@@ -27,6 +28,7 @@ namespace abut
 
   void Simulation::check_supports() const
   {
+    check_held_points();
     bool floats = false;
     for (const auto &body : bodies())
     {
@@ -49,6 +51,30 @@ namespace abut
     if (floats &&
         resultant_body() == nullptr) // rigid sides need the stiffness: those scenes are checked later
       make_motion_terms(model_->problem());
+  }
+
+  void Simulation::check_held_points() const
+  {
+    const auto prescribed = [&](const ContactBody &side) -> Eigen::VectorXd {
+      const Body &body = *bodies()[side.body];
+      return body.trace_of(body.supports().fixed + body.rigid_motion(0.))
+          .segment(body.trace_offset(side.side), static_cast<Eigen::Index>(2 * side.trace->n_nodes()));
+    };
+    for (const ContactPair *pair : pairs())
+    {
+      if (pair->penalty() > 0.)
+        continue;
+      const auto found = pair->held_overlap(prescribed(pair->cut_side()), prescribed(pair->other_side()));
+      if (!found)
+        continue;
+      std::ostringstream text;
+      text << "Contact " << pair->name() << ": at (" << found->place.x() << ", " << found->place.y()
+           << ") supports hold both bodies, and make them overlap by " << found->overlap
+           << ", which no pressure can undo; let the contact side end before the held nodes, or give the "
+              "contact "
+              "a Penalty coefficient";
+      throw UserError(text.str());
+    }
   }
 
   Results Simulation::run(const RunObserver &observer)
@@ -95,7 +121,6 @@ namespace abut
       const Stopwatch watch(results.times.solve);
       solver_ = std::make_unique<InterfaceSolver>(model_->problem(), scene_.decomposition);
     }
-    results.compliance_is_dense = solver_->compliance().is_dense();
     std::optional<Eigen::VectorXd> start;
     if (carried)
       start = carried->pressures.cwiseMax(0.);
@@ -123,6 +148,7 @@ namespace abut
       start = results.iteration.traction;
       evaluate(results);
     } while (!iterated_enough(results, tolerance));
+    results.compliance_is_dense = solver_->compliance().is_dense();
     results.times.interface -= estimates.estimate_seconds() + estimates.reference_seconds();
     results.times.estimate += estimates.estimate_seconds();
     results.times.reference += estimates.reference_seconds();
@@ -211,8 +237,9 @@ namespace abut
     if (guess == 0.)
     {
       guess = std::abs(pressed.resultant()->force) / pressed.material().young_modulus;
-      for (const ContactPair &pair : pairs())
-        guess += std::max(1e-6 * pair.slave().depth, pair.coupling().smallest_gap);
+      for (const ContactPair *pair : pairs())
+        if (pair->coverage() > 0.)
+          guess += std::max(1e-6 * pair->slave().depth, pair->smallest_gap());
     }
     delta =
         find_rigid_displacement(force, pressed.resultant()->force, guess, std::max(10. * tolerance, 1e-10),

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace abut
 {
@@ -23,14 +25,6 @@ namespace abut
                         largest = std::max(largest, body.material().stress(gradient).von_mises());
                       });
       return largest;
-    }
-
-    /// The gaps, negative in contact: without a penalty they are zero there, where the pressure says it.
-    Eigen::VectorXd closed_gaps(const ContactPair &pair, const PairResult &result)
-    {
-      if (pair.penalty() > 0.)
-        return result.gaps;
-      return (result.pressures.array() > 0.).select(-1., result.gaps.array());
     }
 
     /// Distance of the reported state from the limit of the iteration.
@@ -84,30 +78,39 @@ namespace abut
   PairResult Simulation::pair_result(const std::size_t index, const Results &results) const
   {
     const InterfaceProblem &problem = model_->problem();
-    const ContactPair &pair = pairs()[index];
-    const Index offset = problem.pressure_offset(index), n = pair.n_multipliers();
-    const Eigen::VectorXd &weights = pair.coupling().weights;
+    const ContactPair &pair = *pairs()[index];
+    const std::size_t surface = model_->surface_of(index);
     PairResult result;
     result.pair = &pair;
-    result.slave = &bodies()[pair.slave().body]->contact_sides()[pair.slave().side];
-    result.gaps = problem.gaps(results.iteration.response).segment(offset, n);
-    result.pressures = results.iteration.traction.segment(offset, n);
-    const Eigen::VectorXd forces = pair.coupling().slave.transpose() * result.pressures;
+    result.surface = &model_->surfaces()[surface];
+    result.gaps = problem.of_surface(surface, problem.gaps(results.iteration.response));
+    result.loads = problem.of_surface(surface, results.iteration.traction);
+    result.pressures = result.surface->partition().reported_pressures(result.loads);
+    const Eigen::VectorXd forces = pair.slave_coupling().transpose() * result.loads;
     for (Index i = 0; i < forces.size(); i += 2)
       result.force += forces.segment<2>(i);
-    result.normal_force = weights.dot(result.pressures);
-    result.max_pressure = result.pressures.maxCoeff();
-    const Eigen::VectorXd closed = closed_gaps(pair, result);
-    result.contact_length = (closed.array() < 0.).select(weights, 0.).sum();
-    result.min_gap = result.gaps.minCoeff();
+    result.normal_force = pair.weights().dot(result.loads);
+    result.min_gap = std::numeric_limits<double>::infinity();
+    std::vector<bool> pressed(static_cast<std::size_t>(result.loads.size()));
+    for (std::size_t k = 0; k < pressed.size(); ++k)
+    {
+      const auto i = static_cast<Index>(k);
+      pressed[k] = result.presses(k) || (pair.penalty() > 0. && result.gaps[i] < 0.);
+      if (!(pair.weights()[i] > 0.))
+        continue;
+      result.parts.push_back(k);
+      result.max_pressure = std::max(result.max_pressure, result.pressures[i]);
+      result.contact_length += pressed[k] ? pair.weights()[i] : 0.;
+      result.min_gap = std::min(result.min_gap, result.gaps[i]);
+    }
     result.max_penetration = std::max(0., -result.min_gap);
     const auto displacement = [&](const ContactBody &side) -> Eigen::VectorXd {
       const BodyResult &body = results.bodies[side.body];
-      const auto size = static_cast<Index>(2 * body.body->contact_sides()[side.side].n_nodes());
-      return body.body->trace_of(body.displacement).segment(body.body->trace_offset(side.side), size);
+      return body.body->trace_of(body.displacement)
+          .segment(body.body->trace_offset(side.side), static_cast<Index>(2 * side.trace->n_nodes()));
     };
-    result.missed =
-        pair.missed_contact(*result.slave, displacement(pair.slave()), displacement(pair.master()), closed);
+    result.missed = pair.missed_contact(result.surface->near_contact(pressed), displacement(pair.cut_side()),
+                                        displacement(pair.other_side()));
     return result;
   }
 
@@ -129,15 +132,20 @@ namespace abut
 
   namespace
   {
-    /// A stiff slave whose nodes feel the edges of the master's larger cells.
-    bool has_rough_pressure(const PairResult &result, const std::vector<std::unique_ptr<Body>> &bodies)
+    /// What is said of contact that is smaller than a part.
+    std::string missed_text(const PairResult &result)
     {
-      constexpr double much_stiffer = 10.;
-      const ContactPair &pair = *result.pair;
-      const ContactBody &master = pair.master();
-      return pair.penalty() == 0. && pair.slave().young_modulus() > much_stiffer * master.young_modulus() &&
-             pair.is_finer_under(result.pressures, *result.slave,
-                                 bodies[master.body]->contact_sides()[master.side]);
+      const auto deepest = std::max_element(
+          result.missed.begin(), result.missed.end(),
+          [](const MissedContact &a, const MissedContact &b) { return a.overlap < b.overlap; });
+      std::ostringstream text;
+      text.precision(3);
+      text << "Contact " << result.pair->name() << ": the bodies overlap by up to " << deepest->overlap
+           << " at (" << deepest->place.x() << ", " << deepest->place.y()
+           << ") and elsewhere outside the parts in contact; contact smaller than a cell is not resolved, "
+              "use finer "
+              "cells there or let the bodies adapt (Body <name>/Adapt)";
+      return text.str();
     }
 
     /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
@@ -158,12 +166,13 @@ namespace abut
   {
     std::vector<std::string> sentences;
     for (const PairResult &pair : results.pairs)
+    {
       if (!pair.missed.empty())
-        sentences.push_back(
-            "Contact " + pair.pair->name() + ": the bodies overlap within " +
-            std::to_string(pair.missed.size()) +
-            " pieces of the slave side far from any node in contact; contact smaller than a cell is not "
-            "resolved, use finer cells or let the bodies adapt (Body <name>/Adapt)");
+        sentences.push_back(missed_text(pair));
+      if (pair.parts.empty())
+        sentences.push_back("Contact " + pair.pair->name() +
+                            ": other bodies lie between its sides everywhere; it carries nothing");
+    }
     if (solver_ && solver_->motions() != nullptr)
       sentences.insert(sentences.end(), solver_->motions()->dropped_loads.begin(),
                        solver_->motions()->dropped_loads.end());
@@ -173,13 +182,6 @@ namespace abut
       sentences.emplace_back(
           "Decomposition/Relaxation and Initial guess are for Scheme = neumann; the scheme " +
           to_string(decomposition.scheme) + " takes no notice of them");
-    for (const PairResult &pair : results.pairs)
-      if (has_rough_pressure(pair, bodies()))
-        sentences.push_back(
-            "Contact " + pair.pair->name() +
-            ": with exact contact the pressure is rough where the slave is much stiffer than the "
-            "master and its cells are finer; take the softer body as slave (Contact " +
-            pair.pair->name() + "/Slave, Master), coarser cells for the slave, or a penalty");
     const bool even_degree = std::any_of(bodies().begin(), bodies().end(),
                                          [](const auto &body) { return body->space().degree() == 2; });
     if (scene_.adaptation.estimator == EstimatorKind::zz && even_degree)

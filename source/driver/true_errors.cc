@@ -41,24 +41,30 @@ namespace abut
       return squares;
     }
 
+    /// Of the reported pressures, over what the pair covers.
     double pressure_error(const std::function<double(const Vector2 &)> &exact_pressure,
                           const PairResult &pair, const Placement &placement)
     {
       const GaussRule rule(8);
+      const Trace &cut = *pair.pair->cut_side().trace;
+      const Partition &partition = pair.surface->partition();
       double error = 0., norm = 0.;
-      for (const Segment &segment : pair.slave->segments())
+      for (const Piece &piece : partition.pieces())
+      {
+        if (piece.link != pair.pair->link())
+          continue;
+        const Segment &segment = cut.segments()[piece.cut_segment];
         for (Eigen::Index q = 0; q < rule.points.size(); ++q)
         {
-          const double s = rule.points[q];
-          const Eigen::VectorXd values = pair.slave->basis().values(s);
-          double computed = 0.;
-          for (std::size_t i = 0; i < segment.nodes.size(); ++i)
-            computed += values[static_cast<Eigen::Index>(i)] * pair.pressures[segment.nodes[i]];
-          const double exact = exact_pressure(placement.point_to_own(pair.slave->point(segment, s)));
-          const double weight = rule.weights[q] * pair.slave->tangent(segment, s).norm();
+          const double s = piece.start + (piece.end - piece.start) * rule.points[q];
+          const double arc = piece.arc + (s - piece.start) * segment.length;
+          const double computed = partition.along(pair.pressures, piece.part, arc);
+          const double exact = exact_pressure(placement.point_to_own(cut.point(segment, s)));
+          const double weight = rule.weights[q] * (piece.end - piece.start) * cut.tangent(segment, s).norm();
           error += weight * (computed - exact) * (computed - exact);
           norm += weight * exact * exact;
         }
+      }
       return std::sqrt(error / norm);
     }
   } // namespace

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <utility>
 
 namespace abut
 {
@@ -112,6 +114,7 @@ namespace abut
     floating_ =
         free_modes.empty() ? FloatingModes() : FloatingModes(nodes, free_modes, supports_.free_directions);
     side_motion_ = supports_.moving;
+    tell_supports();
     rigid_motions_ = split_off_rigid_motions(nodes, supports_);
     if (!space_->has_hanging_nodes())
       return;
@@ -120,6 +123,33 @@ namespace abut
     for (Eigen::VectorXd *const field :
          {&supports_.fixed, &supports_.moving, &side_motion_, &rigid_motions_.fixed, &rigid_motions_.moving})
       *field = expand * *field;
+  }
+
+  /// Tells the contact sides where the scene's supports hold them: not along the motion of a rigid side.
+  void Body::tell_supports()
+  {
+    std::map<unsigned int, Eigen::Matrix2d> held; // by the first unknown of a node
+    for (const SupportNode &node : supports_.nodes)
+    {
+      const Vector2 moving(side_motion_[node.dofs[0]], side_motion_[node.dofs[1]]);
+      Eigen::Matrix2d projection = Eigen::Matrix2d::Identity();
+      if (node.directions.size() == 1)
+        projection = node.directions[0] * node.directions[0].transpose();
+      if (moving.norm() > 0.)
+        projection -=
+            projection * moving * moving.transpose() * projection / (projection * moving).squaredNorm();
+      held[node.dofs[0]] = projection;
+    }
+    for (Trace &side : contact_sides_)
+    {
+      std::vector<Eigen::Matrix2d> projections;
+      for (const auto &dofs : side.node_dofs())
+      {
+        const auto node = held.find(dofs[0]);
+        projections.push_back(node == held.end() ? Eigen::Matrix2d::Zero() : node->second);
+      }
+      side.set_supports(std::move(projections));
+    }
   }
 
   void Body::collect_loads()

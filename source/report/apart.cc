@@ -57,7 +57,7 @@ namespace abut
       const ContactBody &m = result.pair->master();
       const BodyResult &slave_body = results.bodies[result.pair->slave().body];
       const BodyResult &master_body = results.bodies[m.body];
-      const Trace &slave = *result.slave, &master = master_body.body->contact_sides()[m.side];
+      const Trace &slave = *result.pair->slave().trace, &master = *m.trace;
       const Vector2 mean = mean_normal(slave);
       if (mean.norm() < .1) // a closed curve has no direction
         return Vector2::Zero();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/report/contact_csv.h>
-#include <abut/report/nodes_by_arc_length.h>
 #include <abut/report/numbers.h>
 
 #include <sstream>
@@ -9,15 +8,17 @@ namespace abut
 {
   std::string contact_csv(const PairResult &result)
   {
-    const Trace &slave = *result.slave;
     std::ostringstream out;
-    out << "x,y,arc_length,gap,pressure\n";
-    for (const std::size_t node : nodes_by_arc_length(slave))
+    out << "x,y,arc_length,gap,pressure,length,load,load_x,load_y\n";
+    for (const std::size_t k : result.parts)
     {
-      const auto i = static_cast<Eigen::Index>(node);
-      out << exact_number(slave.node_points()[node].x()) << ',' << exact_number(slave.node_points()[node].y())
-          << ',' << exact_number(slave.node_arc_lengths()[node]) << ',' << exact_number(result.gaps[i]) << ','
-          << exact_number(result.pressures[i]) << '\n';
+      const Part &part = result.part(k);
+      const auto i = static_cast<Eigen::Index>(k);
+      out << exact_number(part.place.x()) << ',' << exact_number(part.place.y()) << ','
+          << exact_number(part.arc_length) << ',' << exact_number(result.gaps[i]) << ','
+          << exact_number(result.pressures[i]) << ',' << exact_number(result.pair->weights()[i]) << ','
+          << exact_number(result.loads[i]) << ',' << exact_number(part.middle.x()) << ','
+          << exact_number(part.middle.y()) << '\n';
     }
     return out.str();
   }

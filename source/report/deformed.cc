@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/report/apart.h>
 #include <abut/report/deformed.h>
-#include <abut/report/nodes_by_arc_length.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,19 +124,40 @@ namespace abut
       return body;
     }
 
-    DrawnContact drawn_contact(const PairResult &result, const BodyResult &slave_body, const double factor,
-                               const Vector2 &shift)
+    /// The displacement at a part's place.
+    Vector2 displacement_at(const Trace &side, const Part &part, const Eigen::VectorXd &displacement)
     {
-      const Trace &slave = *result.slave;
-      const Polyline places = deformed_nodes(slave, slave_body.displacement, factor);
-      DrawnContact contact;
-      for (const std::size_t node : nodes_by_arc_length(slave))
+      const Segment &segment = side.segments()[part.segment];
+      const Eigen::VectorXd values = side.basis().values(part.s);
+      Vector2 sum = Vector2::Zero();
+      for (std::size_t i = 0; i < segment.nodes.size(); ++i)
       {
-        contact.nodes.push_back(places[node] + shift);
-        contact.normals.push_back(slave.node_normals()[node]);
-        contact.pressures.push_back(result.pressures[static_cast<Eigen::Index>(node)]);
+        const auto &dofs = side.node_dofs()[segment.nodes[i]];
+        sum += values[static_cast<Eigen::Index>(i)] * Vector2(displacement[dofs[0]], displacement[dofs[1]]);
       }
-      return contact;
+      return sum;
+    }
+
+    /// The parts of a pair, a contact for each stretch.
+    void add_contacts(const PairResult &result, const BodyResult &body, const double factor,
+                      const Vector2 &shift, std::vector<DrawnContact> &contacts)
+    {
+      const ContactBody &cut = result.pair->cut_side();
+      const auto &neighbours = result.surface->partition().neighbours();
+      for (std::size_t i = 0; i < result.parts.size(); ++i)
+      {
+        const std::size_t k = result.parts[i];
+        const bool goes_on =
+            i > 0 && std::count(neighbours[k].begin(), neighbours[k].end(), result.parts[i - 1]) > 0;
+        if (!goes_on)
+          contacts.emplace_back();
+        const Part &part = result.part(k);
+        contacts.back().nodes.push_back(
+            part.place + factor * displacement_at(*cut.trace, part, body.displacement) + shift);
+        contacts.back().normals.push_back(
+            Trace::averaged_normal(cut.trace->segments()[part.segment], part.s));
+        contacts.back().pressures.push_back(result.pressures[static_cast<Eigen::Index>(k)]);
+      }
     }
   } // namespace
 
@@ -160,8 +180,8 @@ namespace abut
       scene.bodies.push_back(drawn_body(results.bodies[i], outlines[i], scene.factor, shifts[i]));
     for (const PairResult &pair : results.pairs)
     {
-      const std::size_t slave = pair.pair->slave().body;
-      scene.contacts.push_back(drawn_contact(pair, results.bodies[slave], scene.factor, shifts[slave]));
+      const std::size_t body = pair.pair->cut_side().body;
+      add_contacts(pair, results.bodies[body], scene.factor, shifts[body], scene.contacts);
     }
     scene.moved_apart =
         std::any_of(shifts.begin(), shifts.end(), [](const Vector2 &shift) { return !shift.isZero(0.); });

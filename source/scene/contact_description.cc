@@ -20,6 +20,16 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    MultiplierSide multiplier_side(const std::string &word)
+    {
+      if (word == "slave")
+        return MultiplierSide::slave;
+      return word == "master" ? MultiplierSide::master : MultiplierSide::automatic;
+    }
+  } // namespace
+
   double ContactDescription::penalty_between(const double slave_flexibility,
                                              const double master_flexibility) const
   {
@@ -30,8 +40,12 @@ namespace abut
   {
     namespace Patterns = dealii::Patterns;
     prm.declare_entry("Slave", "", Patterns::Anything(),
-                      "body:id, the side on whose mesh the contact pressure lives.");
-    prm.declare_entry("Master", "", Patterns::Anything(), "body:id, the side it may touch.");
+                      "body:id, one of the two sides that may touch. The forces and places that are "
+                      "reported are those on the slave.");
+    prm.declare_entry("Master", "", Patterns::Anything(), "body:id, the other side.");
+    prm.declare_entry("Multipliers", "automatic", Patterns::Selection("automatic|slave|master"),
+                      "The side whose segments the contact pressures follow: automatic chooses it piece by "
+                      "piece, the finer side unless it is too stiff for the other's cells.");
     prm.declare_entry("Gap", "geometry", Patterns::Anything(),
                       "Initial normal gap, negative for an overlap: geometry, or a formula in x, y of the "
                       "slave's own frame. Length, before the slave's Scale.");
@@ -54,6 +68,7 @@ namespace abut
     contact.master = parse_side(prm.get("Master"), where + "Master");
     if (const std::string gap = prm.get("Gap"); gap != "geometry")
       contact.gap.emplace(gap, constants, where + "Gap");
+    contact.multipliers = multiplier_side(prm.get("Multipliers"));
     contact.penalty_coefficient = prm.get_double("Penalty coefficient");
     if (const double penalty = prm.get_double("Penalty"); penalty > 0.)
       contact.penalty = penalty;

@@ -35,32 +35,38 @@ namespace abut
     return smallest;
   }
 
-  GapSamples sample_gaps(const Trace &slave, const Trace &master, const std::vector<Piece> &pieces,
-                         const GapFunction &gap)
+  GapSamples sample_gaps(const Surface &surface, const std::vector<CommonNormal> &normals,
+                         const Partition &partition, const std::size_t link, const GapFunction &gap)
   {
     constexpr Index per_piece = GapSamples::per_piece;
-    const auto n = per_piece * static_cast<Index>(pieces.size());
+    const Trace &cut = *surface.cut[surface.links[link].cut].trace,
+                &other = *surface.others[surface.links[link].other].trace;
     GapSamples samples;
-    samples.pieces = pieces;
+    for (const Piece &piece : partition.pieces())
+      if (piece.link == link)
+        samples.pieces.push_back(piece);
+    const auto n = per_piece * static_cast<Index>(samples.pieces.size());
     samples.gap.resize(n);
-    std::vector<Eigen::Triplet<double>> of_slave, of_master;
+    std::vector<Eigen::Triplet<double>> of_cut, of_other;
     Index row = 0;
-    for (const Piece &piece : pieces)
+    for (const Piece &piece : samples.pieces)
       for (Index k = 0; k < per_piece; ++k, ++row)
       {
-        const Segment &segment = slave.segments()[piece.slave_segment];
-        const Segment &opposite = master.segments()[piece.master_segment];
+        const Segment &segment = cut.segments()[piece.cut_segment],
+                      &opposite_segment = other.segments()[piece.other_segment];
         const double s = piece.start + (piece.end - piece.start) * double(k) / double(per_piece - 1);
-        const Vector2 point = slave.point(segment, s), normal = Trace::averaged_normal(segment, s);
-        const Projection projection = project(master, opposite, point, normal);
-        add_sample(row, -1., segment, slave.basis().values(s), normal, of_slave);
-        add_sample(row, 1., opposite, master.basis().values(projection.t), normal, of_master);
-        samples.gap[row] = gap(point, projection.gap);
+        const Opposite opposite = normals[link].project(piece.cut_segment, s, piece.other_segment);
+        add_sample(row, -1., segment, cut.basis().values(s), opposite.normal, of_cut);
+        add_sample(row, 1., opposite_segment, other.basis().values(opposite.t), opposite.normal, of_other);
+        samples.places.push_back(cut.point(segment, s));
+        samples.gap[row] = gap(samples.places.back(), opposite);
+        samples.held.push_back(cut.is_held(segment, s, opposite.normal) &&
+                               other.is_held(opposite_segment, opposite.t, opposite.normal));
       }
-    samples.slave.resize(n, static_cast<Index>(2 * slave.n_nodes()));
-    samples.master.resize(n, static_cast<Index>(2 * master.n_nodes()));
-    samples.slave.setFromTriplets(of_slave.begin(), of_slave.end());
-    samples.master.setFromTriplets(of_master.begin(), of_master.end());
+    samples.cut.resize(n, static_cast<Index>(2 * cut.n_nodes()));
+    samples.other.resize(n, static_cast<Index>(2 * other.n_nodes()));
+    samples.cut.setFromTriplets(of_cut.begin(), of_cut.end());
+    samples.other.setFromTriplets(of_other.begin(), of_other.end());
     return samples;
   }
 } // namespace abut

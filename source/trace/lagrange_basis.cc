@@ -79,6 +79,15 @@ namespace abut
     return result;
   }
 
+  Eigen::VectorXd LagrangeBasis::integrals() const
+  {
+    const GaussRule rule(degree() + 1);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(nodes_.size());
+    for (Eigen::Index q = 0; q < rule.points.size(); ++q)
+      sum += rule.weights[q] * values(rule.points[q]);
+    return sum;
+  }
+
   Eigen::VectorXd LagrangeBasis::derivatives(const double s) const
   {
     const Eigen::Index n = nodes_.size();

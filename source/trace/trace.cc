@@ -33,8 +33,58 @@ namespace abut
     place_nodes();
   }
 
+  bool Trace::is_smooth_after(const std::size_t segment) const
+  {
+    return following_[segment] && corner_normals_.count(segments_[segment].nodes.back()) == 0;
+  }
+
+  void Trace::set_supports(std::vector<Eigen::Matrix2d> projections)
+  {
+    supports_ = std::move(projections);
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      for (const std::size_t end : {std::size_t(0), std::size_t(1)})
+      {
+        const bool is_free = !(end == 0 ? preceding_[i] : following_[i]);
+        if (!is_free || !is_plane_of_symmetry(segments_[i], end))
+          continue;
+        Vector2 &normal = segments_[i].end_normals[end];
+        const Vector2 mirrored = normal - support_at(segments_[i], end) * normal;
+        if (mirrored.squaredNorm() > .5)
+          normal = mirrored.normalized();
+      }
+  }
+
+  Eigen::Matrix2d Trace::support_at(const Segment &segment, const std::size_t end) const
+  {
+    if (supports_.empty())
+      return Eigen::Matrix2d::Zero();
+    return supports_[end == 0 ? segment.nodes.front() : segment.nodes.back()];
+  }
+
+  bool Trace::is_plane_of_symmetry(const Segment &segment, const std::size_t end) const
+  {
+    const Eigen::Matrix2d support = support_at(segment, end);
+    const Vector2 along = tangent(segment, static_cast<double>(end)).normalized();
+    return (support * along).squaredNorm() > .5 && support.trace() < 1.5; // one direction
+  }
+
+  bool Trace::is_held(const Segment &segment, const double s, const Vector2 &direction) const
+  {
+    constexpr double round_off = 1e-9;
+    if (supports_.empty())
+      return false;
+    const Eigen::VectorXd values = basis_.values(s);
+    for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+      if (std::abs(values[static_cast<Eigen::Index>(i)]) > round_off &&
+          (direction - supports_[segment.nodes[i]] * direction).norm() > round_off)
+        return false;
+    return true;
+  }
+
   Vector2 Trace::point(const Segment &segment, const double s) const
   {
+    if (segment.points.size() == 2)
+      return (1. - s) * segment.points[0] + s * segment.points[1];
     return combine(geometry_.values(s), segment.points);
   }
 
@@ -63,18 +113,21 @@ namespace abut
 
   void Trace::average_normals()
   {
-    const double smallest_cosine = std::sqrt(.5);
-    std::vector<Segment *> starting_at(n_nodes(), nullptr);
-    for (Segment &segment : segments_)
-      starting_at[segment.nodes.front()] = &segment;
-    for (Segment &segment : segments_)
-      if (Segment *const next = starting_at[segment.nodes.back()])
+    following_.resize(segments_.size());
+    preceding_.resize(segments_.size());
+    std::vector<std::optional<std::size_t>> starting_at(n_nodes());
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      starting_at[segments_[i].nodes.front()] = i;
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      if (const auto next = starting_at[segments_[i].nodes.back()])
       {
-        Vector2 &here = segment.end_normals[1], &there = next->end_normals[0];
-        if (here.dot(there) > smallest_cosine)
+        following_[i] = next;
+        preceding_[*next] = i;
+        Vector2 &here = segments_[i].end_normals[1], &there = segments_[*next].end_normals[0];
+        if (is_smooth(here, there))
           here = there = (here + there).normalized();
         else
-          corner_normals_[segment.nodes.back()] = {{here, there}};
+          corner_normals_[segments_[i].nodes.back()] = {{here, there}};
       }
   }
 

@@ -10,6 +10,10 @@ namespace
 
   const Overrides as_written;
 
+  /// Of the cell size. The pressure ends like a root within one part: all of it there would be 1.2 h/a of the
+  /// pressure's norm (a = 1.015), how much is wrong depends on where in the part the contact ends.
+  constexpr double pressure_bound = .32;
+
   /// Of `prm/two-layers-rollers.prm`, with layers of unit height in cells of the width 4 / columns.
   Overrides matching_cells(const unsigned int columns, const double upper_height)
   {
@@ -41,9 +45,8 @@ namespace
   TEST(Layers, matching_meshes_against_the_series)
   {
     const ConvergenceTable table = study("As written", as_written, {32, 64, 128});
-    const std::vector<double> pressure_bounds{.037, .02, .009};
-    for (std::size_t row = 0; row < pressure_bounds.size(); ++row)
-      EXPECT_LE(table.error(row, pressure), pressure_bounds[row]);
+    for (std::size_t row = 0; row < 3; ++row)
+      EXPECT_LE(table.error(row, pressure), pressure_bound * 4. / (32. * (1 << row)));
     for (const std::size_t row : {1u, 2u})
       EXPECT_NEAR(table.rate(row, stress), 1., .1);
   }
@@ -55,9 +58,8 @@ namespace
     const ConvergenceTable table =
         study("Penalty c = 0.05 in both",
               {"Contact interface/Penalty coefficient=0.05", "Reference/Contact=penalised"}, {32, 64, 128});
-    const std::vector<double> pressure_bounds{.037, .02, .009};
-    for (std::size_t row = 0; row < pressure_bounds.size(); ++row)
-      EXPECT_LE(table.error(row, pressure), pressure_bounds[row]);
+    for (std::size_t row = 0; row < 3; ++row)
+      EXPECT_LE(table.error(row, pressure), pressure_bound * 4. / (32. * (1 << row)));
     for (const std::size_t row : {1u, 2u})
       EXPECT_NEAR(table.rate(row, stress), 1., .1);
     EXPECT_LE(table.error(2, force), 5e-4);
@@ -68,7 +70,7 @@ namespace
     const ConvergenceTable table =
         study("Upper layer in triangles", {"Body upper/Cell type=triangles"}, {64, 128});
     EXPECT_NEAR(table.rate(1, stress), 1., .1);
-    EXPECT_LE(table.error(1, pressure), .009);
+    EXPECT_LE(table.error(1, pressure), pressure_bound * 4. / 128.);
     EXPECT_LE(table.error(1, force), 1e-3);
   }
 
@@ -98,7 +100,7 @@ namespace
     EXPECT_LE(table.error(1, stress), 1.25 * .012);
     EXPECT_NEAR(table.rate(1, stress), 1., .1);
     EXPECT_LE(table.error(0, pressure), .02);
-    EXPECT_LE(table.error(1, pressure), .009);
+    EXPECT_LE(table.error(1, pressure), pressure_bound * 4. / 128.);
     EXPECT_LE(table.error(1, force), 5e-4);
   }
 

@@ -103,7 +103,7 @@ namespace
     expect_rates(quadratic, 2);
     EXPECT_LT(1000. * quadratic.last_error(mean_pressure), linear.last_error(mean_pressure));
     for (const std::size_t column : {worst_pressure, ring_stress, disc_stress})
-      EXPECT_LT(5. * quadratic.last_error(column), linear.last_error(column));
+      EXPECT_LT(3. * quadratic.last_error(column), linear.last_error(column));
   }
 
   TEST(ShrinkFitScene, overlap_may_be_a_formula)

@@ -66,5 +66,5 @@ TEST(ExtremeBoundaryElements, LengthsTimesAMillionEitherWay)
 TEST(ExtremeBoundaryElements, FlatCells)
 {
   // A hundred to one: edges across the body a hundred times shorter than those along it.
-  expect_worth({"Body upper/Cells=8, 4", "Body lower/Cells=8, 200"});
+  expect_worth({"Body upper/Cells=12, 4", "Body lower/Cells=12, 300"});
 }

@@ -19,7 +19,7 @@ namespace
   void expect_complementary(const Answer &answer, const std::string &name)
   {
     const std::string path = answer.directory + "/contact_" + name + ".csv";
-    const auto gaps = column(path, "gap"), pressures = column(path, "pressure");
+    const auto gaps = column(path, "gap"), pressures = column(path, "load");
     double gap_size = 0., pressure_size = 0., product = 0., penetration = 0.;
     for (std::size_t i = 0; i < gaps.size(); ++i)
     {
@@ -127,10 +127,11 @@ TEST(ExactContact, NoCheckerboardAtTwoToThree)
                   {"Body upper/Cells=64, 16", "Body lower/Cells=96, 24", "Contact interface/Slave=" + slave,
                    "Contact interface/Master=" + master, "Reference/Exact solution=none"});
     ASSERT_EQ(answer.status, 0) << answer.err;
-    const auto p = column(answer.directory + "/contact_interface.csv", "pressure");
+    const auto p = column(answer.directory + "/contact_interface.csv", "pressure"),
+               x = column(answer.directory + "/contact_interface.csv", "x");
     double alternating = 0., peak = 0.;
     for (std::size_t i = 2; i + 2 < p.size(); ++i)
-      if (p[i - 2] > 0. && p[i + 2] > 0.) // fourth difference over 16: 1 for (-1)^i
+      if (std::abs(x[i]) < .8 * 1.015) // of the half-width; fourth difference over 16: 1 for (-1)^i
         alternating = std::max(
             alternating, std::abs(p[i - 2] - 4. * p[i - 1] + 6. * p[i] - 4. * p[i + 1] + p[i + 2]) / 16.);
     for (const double value : p)
@@ -158,27 +159,4 @@ TEST(ExactContact, ACoarserMeshGivesTheStart)
       for (std::size_t i = 1; i < passes.size(); ++i)
         EXPECT_LE(passes[i]["steps"].get<int>(), 5) << c << ' ' << modulus;
     }
-}
-
-// Rough pressures of a stiff and fine slave are named; a slave that is the softer body has none.
-TEST(ExactContact, AStiffSlaveIsNamedWithExactContact)
-{
-  struct Case
-  {
-    std::string stiff, cells, grading; // of the lower body, the slave
-    bool named;
-  };
-  for (const Case &c :
-       {Case{"lower", "32, 8", "1, 1", true}, Case{"lower", "16, 4", "1, 1", false},
-        Case{"upper", "32, 8", "1, 1", false}, Case{"lower", "16, 4", "30, 1", true}, // fine where it touches
-        Case{"lower", "16, 4", "0.033, 1", false}})                                   // fine elsewhere
-  {
-    const Answer answer =
-        run_scene("two-layers-rollers",
-                  {"Body upper/Cells=16, 4", "Body lower/Cells=" + c.cells, "Body lower/Grading=" + c.grading,
-                   "Body " + c.stiff + "/Young modulus=2.1e7"});
-    ASSERT_EQ(answer.status, 0) << answer.err;
-    EXPECT_EQ(answer.err.find("take the softer body as slave") != std::string::npos, c.named)
-        << c.stiff << ' ' << c.cells << ' ' << c.grading;
-  }
 }

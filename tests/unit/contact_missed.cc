@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Gaps at points: what lies between the nodes.
-#include <abut/contact/contact_pair.h>
+#include <abut/contact/contact_surface.h>
 #include <abut/trace/applied_traction.h>
 
 #include "elasticity_testing.h"
@@ -12,8 +12,10 @@ namespace
   /// [0, 4] x [0, 1] in four columns below, the same in three above; the gap is given.
   struct Layers
   {
-    explicit Layers(const std::string &gap, const unsigned int degree = 1)
-        : lower(block(0., 4, degree), {"top"}), upper(block(1., 3, degree), {"bottom"})
+    explicit Layers(const std::string &gap, const unsigned int degree = 1,
+                    const std::string &lower_conditions = "", const std::string &upper_conditions = "")
+        : lower(block(0., 4, degree, lower_conditions), {"top"}),
+          upper(block(1., 3, degree, upper_conditions), {"bottom"})
     {
       contact.name = "interface";
       contact.slave = {"lower", "top"};
@@ -21,29 +23,39 @@ namespace
       contact.gap = Expression(gap, {}, "test");
     }
 
-    static BodyDescription block(const double height, const unsigned int columns, const unsigned int degree)
+    static BodyDescription block(const double height, const unsigned int columns, const unsigned int degree,
+                                 const std::string &conditions)
     {
       auto body = make_body(Shape::rectangle, {4., 1.}, {{columns, 1}});
       body.degree = degree;
+      if (!conditions.empty())
+        set_conditions(body, conditions);
       body.placement = Placement(1., false, 0., Vector2(0., height));
       return body;
     }
 
-    /// Where contact is missed when the upper body moves down by `approach`, all nodes open.
-    std::vector<Piece> missed(const double approach, const Eigen::VectorXd &gaps) const
+    ContactSurface surface() const
     {
-      const ContactPair pair(contact, lower.description().placement, {0, 0, 10., 1., 1.}, {1, 0, 10., 1., 1.},
-                             lower.contact_sides()[0], upper.contact_sides()[0]);
+      return ContactSurface({{&contact,
+                              &lower.description().placement,
+                              {0, 0, lower.contact_sides()[0], lower.material(), 1.},
+                              {1, 0, upper.contact_sides()[0], upper.material(), 1.}}});
+    }
+
+    /// Where contact is missed when the upper body moves down by `approach`, with one part in contact or
+    /// none.
+    std::vector<MissedContact> missed(const double approach,
+                                      const std::optional<std::size_t> pressed = {}) const
+    {
+      const ContactSurface at = surface();
       Eigen::VectorXd down = Eigen::VectorXd::Zero(upper.trace_size());
       for (Eigen::Index i = 1; i < down.size(); i += 2)
         down[i] = -approach;
-      return pair.missed_contact(lower.contact_sides()[0], Eigen::VectorXd::Zero(lower.trace_size()), down,
-                                 gaps);
-    }
-    std::vector<Piece> missed(const double approach) const
-    {
-      const auto n = static_cast<Eigen::Index>(lower.contact_sides()[0].n_nodes());
-      return missed(approach, Eigen::VectorXd::Ones(n));
+      std::vector<bool> presses(at.partition().parts().size(), false);
+      if (pressed)
+        presses[*pressed] = true;
+      return at.pairs()[0].missed_contact(at.near_contact(presses), Eigen::VectorXd::Zero(lower.trace_size()),
+                                          down);
     }
 
     ContactDescription contact;
@@ -51,32 +63,52 @@ namespace
   };
 } // namespace
 
-TEST(MissedContact, IsFoundWhereverTheMinimumLies)
+TEST(MissedContact, IsFoundWithItsPlaceWhereverTheMinimumLies)
 {
   for (const double x : {.03, .37, .5, .61, 1.3, 2.72, 3.9})
   {
     const Layers layers("0.1*(x-" + std::to_string(x) + ")^2", 2);
     EXPECT_TRUE(layers.missed(-1e-9).empty()) << x;
-    const std::vector<Piece> found = layers.missed(1e-9);
+    const std::vector<MissedContact> found = layers.missed(1e-9);
     ASSERT_EQ(found.size(), 1u) << x;
-    const Segment &segment = layers.lower.contact_sides()[0].segments()[found[0].slave_segment];
+    EXPECT_NEAR(found[0].overlap, 1e-9, 1e-15);
+    const Segment &segment = layers.lower.contact_sides()[0].segments()[found[0].piece.cut_segment];
     const double from = segment.points.front().x(), to = segment.points.back().x();
     EXPECT_GE(x, std::min(from, to));
     EXPECT_LE(x, std::max(from, to));
+    EXPECT_LT(std::abs(found[0].place.x() - x), .25);
   }
 }
 
-TEST(MissedContact, IsNoneBesideNodesInContact)
+TEST(MissedContact, IsNoneBesidePartsInContact)
 {
-  const Layers layers("0.1*(x-0.5)^2");
-  const Trace &slave = layers.lower.contact_sides()[0];
-  Eigen::VectorXd gaps = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(slave.n_nodes()));
-  for (std::size_t node = 0; node < slave.n_nodes(); ++node)
-    if (std::abs(slave.node_points()[node].x() - 2.) <
-        1e-12) // the segment [1, 2] is in contact, [0, 1] next to it
-      gaps[static_cast<Eigen::Index>(node)] = -1.;
-  EXPECT_TRUE(layers.missed(1e-3, gaps).empty());
-  EXPECT_EQ(layers.missed(1e-3).size(), 1u);
+  const Layers layers("0.1*(x-0.8)^2");
+  const ContactSurface surface = layers.surface();
+  const auto &parts = surface.partition().parts();
+  // The part that covers x = 0.8, or its neighbour, is in contact.
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    const bool near = parts[k].middle.x() < 2.1;
+    EXPECT_EQ(layers.missed(1e-6, k).empty(), near) << parts[k].middle.x();
+  }
+}
+
+TEST(HeldOverlap, IsFoundAtPointsThatBothBodiesAreHeldAt)
+{
+  const auto held = [](const std::string &upper_conditions, const std::string &gap) {
+    const Layers layers(gap, 1, "left: displacement: 0, 0", upper_conditions);
+    const ContactSurface surface = layers.surface();
+    return surface.pairs()[0].held_overlap(Eigen::VectorXd::Zero(layers.lower.trace_size()),
+                                           Eigen::VectorXd::Zero(layers.upper.trace_size()));
+  };
+  const auto found = held("left: displacement: 0, 0", "-1e-3");
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->overlap, 1e-3, 1e-15);
+  EXPECT_LT((found->place - Vector2(0., 1.)).norm(), 1e-12);
+  EXPECT_FALSE(held("left: displacement: 0, 0", "-1e-10").has_value()); // of a depth of 1
+  EXPECT_FALSE(held("left: displacement: 0, 0", "-1e-3*x").has_value());
+  EXPECT_FALSE(held("left: displacement x: 0", "-1e-3").has_value());   // free along the normal
+  EXPECT_FALSE(held("right: displacement: 0, 0", "-1e-3").has_value()); // elsewhere
 }
 
 TEST(GapSamples, SmallestValueIsExactForParabolas)

@@ -30,6 +30,15 @@ namespace
     motions.responses.col(1).segment(first, half) = noticed * weights.segment(first, half);
     motions.responses.col(1).segment(first + own - half, half) =
         -noticed * weights.segment(first + own - half, half);
+    const auto own_normals = [&](const std::size_t body) {
+      return Eigen::seqN(problem.normal_displacement_offset(body), problem.bodies()[body]->trace_size() / 2);
+    };
+    motions.responses(own_normals(0), 0).setConstant(-1.);
+    const Index n_nodes = problem.bodies()[0]->trace_size() / 2;
+    motions.responses(own_normals(0), 1) = Eigen::VectorXd::NullaryExpr(
+        n_nodes, [&](const Index i) { return 2 * i < n_nodes ? noticed : -noticed; });
+    if (n_other > 0)
+      motions.responses(own_normals(1), 2).setConstant(-1.);
     motions.stiffness = Eigen::MatrixXd::Zero(size, size);
     motions.loads = Eigen::VectorXd::Zero(size);
     motions.loads.head(2) << -1., load;
@@ -83,6 +92,7 @@ TEST(DecompositionMotions, AFarMotionHidesNoImbalance)
   // One body that falls by 1 on stiff layers: 4 % of its weight is no round-off.
   MotionTerms motions;
   motions.gaps = Eigen::MatrixXd::Constant(1, 1, -1.);
+  motions.reach = Eigen::MatrixXd::Ones(1, 1);
   motions.stiffness = Eigen::MatrixXd::Zero(1, 1);
   motions.loads = motions.layer_stiffness = Eigen::VectorXd::Ones(1);
   motions.layer_stiffness *= 1e9;

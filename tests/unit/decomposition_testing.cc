@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "decomposition_testing.h"
 
-#include <abut/contact/elastic_layer.h>
-
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -16,9 +14,8 @@ namespace abut
                              const std::string &name)
     {
       const std::size_t index = scene.body_index(name);
-      const double depth = bodies[index]->contact_depth(0);
-      return {index, 0, depth, depth / bodies[index]->material().young_modulus,
-              layer_compliance(bodies[index]->material(), depth)};
+      const Body &body = *bodies[index];
+      return {index, 0, body.contact_sides()[0], body.material(), body.contact_depth(0)};
     }
   } // namespace
 
@@ -36,12 +33,12 @@ namespace abut
     }
     const ContactBody slave = contact_body(scene_, bodies_, contact.slave.body);
     const ContactBody master = contact_body(scene_, bodies_, contact.master.body);
-    pairs_.emplace_back(contact, scene_.bodies[slave.body].placement, slave, master,
-                        bodies_[slave.body]->contact_sides()[0], bodies_[master.body]->contact_sides()[0]);
+    surfaces_.emplace_back(
+        std::vector<PairInput>{{&contact, &scene_.bodies[slave.body].placement, slave, master}});
     std::vector<const TraceBody *> bodies;
     for (const auto &body : bodies_)
       bodies.push_back(body.get());
-    problem_ = std::make_unique<InterfaceProblem>(bodies, pairs_);
+    problem_ = std::make_unique<InterfaceProblem>(bodies, surfaces_);
     loads_ = problem_->loads(0.);
   }
 

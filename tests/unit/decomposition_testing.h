@@ -26,7 +26,7 @@ namespace abut
   private:
     Scene scene_;
     std::vector<std::unique_ptr<Body>> bodies_;
-    std::vector<ContactPair> pairs_;
+    std::vector<ContactSurface> surfaces_;
     std::unique_ptr<InterfaceProblem> problem_;
     InterfaceProblem::Loads loads_;
   };

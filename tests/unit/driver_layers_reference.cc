@@ -49,7 +49,7 @@ namespace
     all.push_back(penalised);
     const Scene scene = small_layers(all);
     const PenalisedLayersContact expected(steel_layers(), penalty);
-    EXPECT_NEAR(Model(scene, nullptr).pairs().front().penalty() / penalty, 1., 1e-12);
+    EXPECT_NEAR(Model(scene, nullptr).pairs().front()->penalty() / penalty, 1., 1e-12);
     EXPECT_NEAR(force_of(scene) / expected.force(), 1., 1e-10);
     const auto exact = make_exact_solution(scene);
     EXPECT_NEAR(exact->pressure()(Vector2(.4, 1.)) / expected.pressure(.4), 1., 1e-10);

@@ -148,21 +148,25 @@ namespace
               "1,2,100,20,8,0.25,0,0.25,,,0.375,0.125,0.0625,2,3,0,0,1,0.03125,0.75,7,9,0.5,0.75,0.25,2,3");
   }
 
-  TEST_F(ReportedScene, ContactRowsFollowTheArcAndLeaveInfiniteGapsEmpty)
+  TEST_F(ReportedScene, ContactRowsFollowTheParts)
   {
     // The top of the lower square runs from (1, 1) to (0, 1).
-    const Trace &slave = *results.pairs[0].slave;
-    const std::size_t first = slave.node_points()[0].x() == 1. ? 0 : 1;
-    results.pairs[0].gaps = Eigen::Vector2d::Constant(-.125);
-    results.pairs[0].gaps[static_cast<Eigen::Index>(first)] = std::numeric_limits<double>::infinity();
-    results.pairs[0].pressures = Eigen::Vector2d::Constant(7.);
-    results.pairs[0].pressures[static_cast<Eigen::Index>(first)] = 0.;
     const auto lines = lines_of(contact_csv(results.pairs[0]));
     ASSERT_EQ(lines.size(), 3u);
-    EXPECT_EQ(lines[0], "x,y,arc_length,gap,pressure");
-    EXPECT_EQ(lines[1], "1,1,0,,0");
-    EXPECT_EQ(lines[2], "0,1," + exact_number(slave.length()) + ",-0.125,7");
-    EXPECT_DOUBLE_EQ(slave.length(), 1.);
+    EXPECT_EQ(lines[0], "x,y,arc_length,gap,pressure,length,load,load_x,load_y");
+    const std::vector<std::vector<double>> expected = {{1., 1., 0., -.125, 6., .5, 7., .75, 1.},
+                                                       {0., 1., 1., .25, 1., .5, 0., .25, 1.}};
+    for (std::size_t row = 0; row < expected.size(); ++row)
+    {
+      std::istringstream cells(lines[row + 1]);
+      std::string cell;
+      for (const double value : expected[row])
+      {
+        ASSERT_TRUE(std::getline(cells, cell, ','));
+        EXPECT_NEAR(std::stod(cell), value, 1e-14);
+      }
+      EXPECT_FALSE(std::getline(cells, cell, ','));
+    }
   }
 
   TEST_F(ReportedScene, AllFilesAreWrittenAndTheSummaryKnowsWhatIsMissing)

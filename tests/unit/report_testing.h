@@ -21,10 +21,11 @@ protected:
     for (const auto &[index, side] : {std::pair(0, "bottom"), {1, "top"}})
       bodies.push_back(std::make_unique<abut::Body>(scene.bodies[static_cast<std::size_t>(index)],
                                                     std::vector<std::string>{side}));
-    const abut::Trace &slave = bodies[1]->contact_sides()[0];
-    pair = std::make_unique<abut::ContactPair>(
-        scene.contacts[0], scene.bodies[1].placement, abut::ContactBody{1, 0, 1., 1., 1.},
-        abut::ContactBody{0, 0, 1., 1., 1.}, slave, bodies[0]->contact_sides()[0]);
+    const auto side = [&](const std::size_t body) {
+      return abut::ContactBody(body, 0, bodies[body]->contact_sides()[0], bodies[body]->material(), 1.);
+    };
+    surface = std::make_unique<abut::ContactSurface>(
+        std::vector<abut::PairInput>{{&scene.contacts[0], &scene.bodies[1].placement, side(1), side(0)}});
     results.scene = &scene;
     for (const auto &body : bodies)
     {
@@ -41,10 +42,12 @@ protected:
     results.bodies[1].reactions.by_boundary["bottom"] = abut::Vector2(0., 3.);
 
     abut::PairResult contact;
-    contact.pair = pair.get();
-    contact.slave = &slave;
-    contact.gaps = Eigen::Vector2d(-.125, std::numeric_limits<double>::infinity());
-    contact.pressures = Eigen::Vector2d(7., 0.);
+    contact.pair = &surface->pairs()[0]; // two parts, half a cell each, from x = 1 to x = 0
+    contact.surface = surface.get();
+    contact.parts = {0, 1};
+    contact.gaps = Eigen::Vector2d(-.125, .25);
+    contact.loads = Eigen::Vector2d(7., 0.);
+    contact.pressures = Eigen::Vector2d(6., 1.);
     contact.force = abut::Vector2(0., -3.5);
     contact.normal_force = 3.5;
     contact.max_pressure = 7.;
@@ -60,7 +63,7 @@ protected:
   SceneFile file{two_squares};
   abut::Scene scene;
   std::vector<std::unique_ptr<abut::Body>> bodies;
-  std::unique_ptr<abut::ContactPair> pair;
+  std::unique_ptr<abut::ContactSurface> surface;
   abut::Results results;
 };
 

@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Dual multipliers: duality, balance of forces and moments, linear gaps, partial cover.
-#include <abut/trace/mortar_coupling.h>
-
+// Piecewise constant multipliers: balance of forces and moments, means of gaps and displacements.
 #include <gtest/gtest.h>
 
-#include "trace_testing.h"
+#include "surface_testing.h"
 
 using namespace abut;
 
 namespace
 {
   using Index = Eigen::Index;
-
-  MortarCoupling couple(const Trace &slave, const Trace &master, const GapFunction &gap)
-  {
-    return abut::couple(slave, master, common_refinement(slave, master), gap);
-  }
-
-  double geometric(const Vector2 &, const double gap)
-  {
-    return gap;
-  }
 
   Eigen::VectorXd random_pressures(const Index n)
   {
@@ -47,55 +35,32 @@ namespace
     return sum;
   }
 
-  void expect_balance(const Trace &slave, const Trace &master, const bool with_moments)
+  void expect_balance(const Trace &cut, const Trace &other, const bool with_moments)
   {
-    const MortarCoupling coupling = couple(slave, master, geometric);
+    const Coupling coupling = TestSurface(cut, other).couple();
     const Eigen::VectorXd p = random_pressures(coupling.weights.size());
-    const Eigen::VectorXd on_slave = coupling.slave.transpose() * p,
-                          on_master = coupling.master.transpose() * p;
-    EXPECT_GT(on_slave.norm(), .01);
-    EXPECT_LT((resultant(on_slave) + resultant(on_master)).norm(), 1e-13);
+    const Eigen::VectorXd on_cut = coupling.cut.transpose() * p, on_other = coupling.other.transpose() * p;
+    EXPECT_GT(on_cut.norm(), .01);
+    EXPECT_LT((resultant(on_cut) + resultant(on_other)).norm(), 1e-13);
     if (with_moments)
     {
-      EXPECT_NEAR(moment(on_slave, slave) + moment(on_master, master), 0., 1e-13);
+      EXPECT_NEAR(moment(on_cut, cut) + moment(on_other, other), 0., 1e-13);
     }
   }
 } // namespace
 
-TEST(TraceCoupling, MultipliersAreDualToTheShapeFunctions)
+TEST(TraceCoupling, WeightsAreTheLengthsOfTheParts)
 {
   for (unsigned int degree = 1; degree <= 3; ++degree)
   {
-    const Trace slave = make_line(3., 0., 1., 5, degree), master = make_line(0., 3., 1., 7, 1);
-    const MortarCoupling coupling = couple(slave, master, geometric);
-    const Index n = coupling.weights.size();
-    for (Index i = 0; i < n; ++i)
-      for (Index j = 0; j < n; ++j)
-      {
-        EXPECT_NEAR(coupling.slave.coeff(i, 2 * j), 0., 1e-15); // n = (0, 1)
-        EXPECT_NEAR(coupling.slave.coeff(i, 2 * j + 1), i == j ? -coupling.weights[i] : 0., 1e-15) << degree;
-      }
+    const TestSurface surface(make_line(3., 0., 1., 5, degree), make_line(0., 3., 1., 7, degree));
+    const Coupling coupling = surface.couple();
+    EXPECT_NEAR(coupling.covered_length, 3., 1e-14);
+    for (std::size_t k = 0; k < surface.parts().size(); ++k)
+      EXPECT_NEAR(coupling.weights[static_cast<Index>(k)], surface.parts()[k].length, 1e-14);
   }
-}
-
-TEST(TraceCoupling, WeightsAreTheIntegralsOfTheShapeFunctions)
-{
-  // Gauss-Lobatto weights: on degree 2, 1/6, 4/6, 1/6 of a segment.
-  const MortarCoupling coupling = couple(make_line(2., 0., 0., 2, 2), make_line(0., 2., 0., 3, 2), geometric);
-  Eigen::VectorXd expected(5);
-  expected << 1., 4., 2., 4., 1.;
-  EXPECT_LT((coupling.weights - expected / 6.).norm(), 1e-15);
-  EXPECT_NEAR(coupling.covered_length, 2., 1e-15);
-}
-
-TEST(TraceCoupling, WeightsSumUpToTheCoveredLength)
-{
-  const MortarCoupling whole = couple(make_arc(1., 1., 0., 9, 2), make_arc(1.1, -.2, 1.3, 11, 2), geometric);
-  EXPECT_NEAR(whole.weights.sum(), 1., 1e-8);
-  EXPECT_NEAR(whole.covered_length, 1., 1e-8);
-  const MortarCoupling part = couple(make_line(4., 0., 0., 4), make_line(.5, 2.75, 0., 3), geometric);
-  EXPECT_NEAR(part.weights.sum(), 2.25, 1e-14);
-  EXPECT_NEAR(part.covered_length, 2.25, 1e-14);
+  EXPECT_NEAR(TestSurface(make_arc(1., 1., 0., 9, 2), make_arc(1.1, -.2, 1.3, 11, 2)).couple().covered_length,
+              1., 1e-8);
 }
 
 TEST(TraceCoupling, ForcesAndMomentsBalanceOnStraightSides)
@@ -122,37 +87,58 @@ TEST(TraceCoupling, ForcesBalanceOnCurvedSides)
   }
 }
 
-TEST(TraceCoupling, ReproducesALinearGap)
+TEST(TraceCoupling, GapsAreMeansOverTheParts)
 {
-  const auto linear = [](const Vector2 &x, double) { return .3 - .2 * x.x(); };
+  const auto linear = [](const Vector2 &x, const Opposite &) { return .3 - .2 * x.x(); };
   const auto inclined = [](const double x) { return Vector2(x, 1.3 - .2 * x); };
   for (unsigned int degree = 1; degree <= 3; ++degree)
   {
-    const Trace slave = make_line(3., 0., 1., 5, degree);
-    const Trace master = make_curve(inclined, parameters(-.1, 3.1, 7), 1, 1);
-    for (const GapFunction &gap : {GapFunction(linear), GapFunction(geometric)})
+    const TestSurface surface(make_line(3., 0., 1., 5, degree),
+                              make_curve(inclined, parameters(-.1, 3.1, 7), 1, 1));
+    const Coupling coupling = surface.couple(linear);
+    for (std::size_t k = 0; k < surface.parts().size(); ++k)
     {
-      const MortarCoupling coupling = couple(slave, master, gap);
-      for (Index i = 0; i < coupling.weights.size(); ++i)
-      {
-        const double x = slave.node_points()[static_cast<std::size_t>(i)].x();
-        EXPECT_NEAR(coupling.gap[i] / coupling.weights[i], .3 - .2 * x, 1e-14) << degree;
-      }
-      EXPECT_LT(coupling.smallest_gap, -.28);
-      EXPECT_GE(coupling.smallest_gap, -.3);
-      EXPECT_GT(coupling.largest_gap, .28);
-      EXPECT_LE(coupling.largest_gap, .3);
+      const auto i = static_cast<Index>(k);
+      EXPECT_NEAR(coupling.gap[i] / coupling.weights[i], .3 - .2 * surface.parts()[k].middle.x(), 1e-14);
     }
+    for (const double gap : {coupling.smallest_gap, surface.couple().smallest_gap})
+    {
+      EXPECT_LT(gap, -.28);
+      EXPECT_GE(gap, -.3 - 1e-14);
+    }
+    EXPECT_GT(coupling.largest_gap, .28);
+    EXPECT_LE(coupling.largest_gap, .3);
   }
+}
+
+TEST(TraceCoupling, MeanGapsAreNeverBelowTheSmallestGap)
+{
+  // Multipliers that are not negative do not extrapolate: bodies that are apart everywhere do not press,
+  // whatever is covered.
+  const auto corner = [](const double r) -> Vector2 { return Vector2(r, .02 + std::abs(r)); };
+  for (unsigned int degree = 1; degree <= 3; ++degree)
+    for (const double end : {.707, .2, .01, 1e-6})
+    {
+      const Trace block = make_line(1.5, -1.5, 0., 3, degree);
+      const Trace square = make_curve(corner, parameters(0., end, 2), degree, 1);
+      for (const bool block_is_cut : {true, false})
+      {
+        const Coupling coupling =
+            block_is_cut ? TestSurface(block, square).couple() : TestSurface(square, block).couple();
+        EXPECT_GE(coupling.gap.cwiseQuotient(coupling.weights).minCoeff(), .02 - 1e-12)
+            << degree << ' ' << end;
+      }
+    }
 }
 
 TEST(TraceCoupling, RigidAndLinearDisplacementsChangeTheGapAsTheyShould)
 {
-  // u_s = (0, a + b x) and u_m = (0, c + d x): the gap grows by u_m - u_s, for any meshes.
+  // u_c = (0, a + b x) and u_o = (0, c + d x): the gap grows by u_o - u_c, for any meshes.
   for (unsigned int degree = 1; degree <= 3; ++degree)
   {
-    const Trace slave = make_line(3., 0., 1., 5, degree), master = make_line(0., 3., 1., 7, 1);
-    const MortarCoupling coupling = couple(slave, master, geometric);
+    const Trace cut = make_line(3., 0., 1., 5, degree), other = make_line(0., 3., 1., 7, 1);
+    const TestSurface surface(cut, other);
+    const Coupling coupling = surface.couple();
     const auto displacement = [](const Trace &trace, const double at_zero, const double slope) {
       Eigen::VectorXd u = Eigen::VectorXd::Ones(static_cast<Index>(2 * trace.n_nodes()));
       for (std::size_t i = 0; i < trace.n_nodes(); ++i)
@@ -160,39 +146,9 @@ TEST(TraceCoupling, RigidAndLinearDisplacementsChangeTheGapAsTheyShould)
       return u;
     };
     const Eigen::VectorXd change =
-        coupling.slave * displacement(slave, .5, -2.) + coupling.master * displacement(master, .1, 3.);
+        coupling.cut * displacement(cut, .5, -2.) + coupling.other * displacement(other, .1, 3.);
     for (Index i = 0; i < change.size(); ++i)
       EXPECT_NEAR(change[i] / coupling.weights[i],
-                  -.4 + 5. * slave.node_points()[static_cast<std::size_t>(i)].x(), 1e-12);
+                  -.4 + 5. * surface.parts()[static_cast<std::size_t>(i)].middle.x(), 1e-12);
   }
-}
-
-TEST(TraceCoupling, UncoveredNodesHaveNoMultiplier)
-{
-  const auto one = [](const Vector2 &, double) { return 1.; };
-  const Trace slave = make_line(4., 0., 0., 4);
-  const MortarCoupling coupling = couple(slave, make_line(0., 1.5, 0., 3), one);
-  // Nodes at x = 4, 3, 2, 1, 0; covered is [0, 1.5].
-  for (const Index i : {0, 1})
-  {
-    EXPECT_EQ(coupling.weights[i], 0.);
-    EXPECT_EQ(coupling.gap[i], 0.);
-    EXPECT_EQ(coupling.slave.row(i).norm(), 0.);
-    EXPECT_EQ(coupling.master.row(i).norm(), 0.);
-  }
-  EXPECT_NEAR(coupling.weights[2], .125, 1e-15);
-  EXPECT_NEAR(coupling.weights[3], .875, 1e-15);
-  EXPECT_NEAR(coupling.weights[4], .5, 1e-15);
-  for (const Index i : {2, 3, 4})
-    EXPECT_NEAR(coupling.gap[i] / coupling.weights[i], 1., 1e-14);
-}
-
-TEST(TraceCoupling, ACoverThatBarelyReachesANodeLeavesItOut)
-{
-  // Of the node at x = 1 the cover beyond 1 + 1e-4 would give (1e-4)^2 / 2 of its weight.
-  const MortarCoupling coupling =
-      couple(make_line(2., 0., 0., 2), make_line(2. - 1e-4, 2., 0., 1), geometric);
-  EXPECT_GT(coupling.weights[0], 0.);
-  EXPECT_EQ(coupling.weights[1], 0.);
-  EXPECT_EQ(coupling.weights[2], 0.);
 }

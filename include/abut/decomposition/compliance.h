@@ -22,17 +22,17 @@ namespace abut
   public:
     virtual ~InterfaceCompliance() = default;
     virtual Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const = 0;
-    /// Z as a matrix: one block where there is a single pair, else one for every body, so that the size grows
-    /// with the number of bodies and not with its square. Empty where Z is applied by solves.
+    /// Z as a matrix: one block where there are two bodies, else one for every body, so that the size
+    /// grows with the number of bodies and not with its square. Empty where Z is applied by solves.
     virtual const std::vector<ComplianceBlock> &blocks() const = 0;
     bool is_dense() const { return !blocks().empty(); }
   };
 
   /**
    * Z as a matrix, made once by a solve for every multiplier, or applied by a solve of every body each time:
-   * the same iterates. `automatic` takes the matrix when it costs no more solves of a body than the expected
-   * number of steps.
+   * the same iterates. `automatic` takes the matrix where it costs no more than the expected number of
+   * solves, and else makes it as soon as the solves done have cost as much.
    */
   std::unique_ptr<InterfaceCompliance> make_compliance(const InterfaceProblem &problem, ComplianceMode mode,
-                                                       double expected_steps);
+                                                       double expected_solves);
 } // namespace abut

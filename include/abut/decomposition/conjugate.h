@@ -8,7 +8,7 @@ namespace abut
 {
   /**
    * Projected conjugate gradients on min_{p >= 0} p . (C + theta D) p / 2 + p . g, in the variables
-   * sqrt(D_i) p_i; theta = 0 (exact contact) included. A step is one solve of every body; a dozen more
+   * sqrt(D_k) p_k; theta = 0 (exact contact) included. A step is one solve of every body; a dozen more
    * estimate the norm, and two or three for each proximal step measure the error. Motions of floating bodies
    * and rigid sides are eliminated by proximal steps as in ActiveSetMethod, which is the augmented Lagrangian
    * of the conditions of balance.

@@ -5,8 +5,8 @@
 
 namespace abut
 {
-  /// D_i sum_a 1/E_a: what half-planes yield under a load as wide as a node.
-  Eigen::VectorXd node_softness(const InterfaceProblem &problem);
+  /// D_k sum_a 1/E_a: what half-planes yield under a load as wide as a part.
+  Eigen::VectorXd part_softness(const InterfaceProblem &problem);
 
   /**
    * What is left of the contact law, as an iteration error: with w = g + theta p and the pressures t = p -
@@ -25,10 +25,10 @@ namespace abut
                       const Eigen::VectorXd &pressure_response, const Eigen::VectorXd &response) const;
 
     /**
-     * beta_i = s_i D_i, where s_i = a . C a / |D a|^2, taken over node i and two neighbours on both sides, is
-     * what the pair's sides yield under pressures a that alternate from node to node (at most what
-     * half-planes yield): an algebraic error, also for theta = 0. No bound, but on the safe side: right for
-     * errors that alternate, where C is smallest, and too large by up to H/h, or by what a stiff fine slave
+     * beta_k = s_k D_k, where s_k = a . C a / |D a|^2, taken over part k and two neighbours on both sides, is
+     * what the bodies yield under pressures a that alternate from part to part (at most what
+     * half-planes yield): an algebraic error, also for theta = 0. No bound, but on the safe side: right where
+     * C is smallest, for errors that alternate, and too large by up to 4 H/h, or by what a stiff fine slave
      * yields less than its master, for smooth ones (a test compares).
      */
     double algebraic(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,

@@ -14,8 +14,9 @@ namespace abut
    * `overlap` is the negative part of the gap under the loads alone.
    *
    * `elastic layer`, the paper's, literally: p = overlap/(k_1 + k_2), each body's contact nodes recede by k_a
-   * p. The gap closes exactly, so that the first traction is zero, and u^0 is no field. `elastic layer
-   * response`: the bodies' response to p = overlap/(k_1 + k_2 + theta).
+   * p. The mean gaps close exactly, so that the first traction is zero, and u^0 is no field; a field with
+   * these values at the nodes (the combined algorithm's) closes them but for what varies within a part.
+   * `elastic layer response`: the bodies' response to p = overlap/(k_1 + k_2 + theta).
    */
   InterfaceState initial_guess(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                                const InterfaceProblem::Loads &loads, InitialGuess kind);

@@ -26,6 +26,8 @@ namespace abut
     std::vector<Eigen::Index> offsets; ///< of each body's first amplitude, and their number at the end
 
     Eigen::Index size() const { return loads.size(); }
+    /// The body that an amplitude belongs to.
+    std::size_t body_of(Eigen::Index amplitude) const;
     /// The amplitudes of one body.
     Eigen::VectorXd of_body(const Eigen::VectorXd &amplitudes, std::size_t body) const;
   };
@@ -40,11 +42,15 @@ namespace abut
   };
 
   /**
-   * A motion that changes no gap, e.g. the rotation of a disc, which frictionless contact cannot hold, stays
-   * zero: of the amplitudes that make it one is left out. "No gap" is a root mean square over the body's
-   * sides below 1e-3 of the displacement: that much the sides of a round body change by the rounding of its
-   * curve. A load on such a motion, up to ten times that share of the largest load on its body, is left
-   * out and told.
+   * A motion that changes no gap, e.g. a block or a disc that slides on a flat side, which frictionless
+   * contact cannot hold, stays zero: of the amplitudes that make it one is left out. "No gap" is a root mean
+   * square over the body's sides below 1e-3 of the displacement: that much the sides of a round body change
+   * by the rounding of its curve. A load on such a motion, up to ten times that share of the largest load on
+   * its body, is left out and told.
+   *
+   * No contact resists a motion along the body's own sides either, e.g. a disc that turns: the gaps to a flat
+   * side change as if it did, because points that lie opposite are those of the undeformed bodies. Its
+   * amplitude stays an unknown, so that moments balance; loads on it are refused like those above.
    *
    * Throws UserError with the unbalanced resultant where larger loads act on it, or where no pressures p >= 0
    * balance the loads of floating bodies.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/decomposition/contact_system.h>
-#include <abut/decomposition/held_nodes.h>
+#include <abut/decomposition/held_parts.h>
 #include <abut/decomposition/scheme.h>
 
 #include <memory>
@@ -23,8 +23,7 @@ namespace abut
     InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters);
 
     /// Begins from `start` where given, else from the scene's initial guess (neumann) or from guess_contact.
-    /// Where the stopping rule is the bound, `tolerance` takes the place of the scene's. Throws
-    /// ComputationError where supports press held nodes into each other (see HeldNodes).
+    /// Where the stopping rule is the bound, `tolerance` takes the place of the scene's.
     SchemeResult solve(const InterfaceProblem::Loads &loads, const std::optional<Eigen::VectorXd> &start,
                        const StepObserver &observer, const std::optional<double> &tolerance = {}) const;
 
@@ -46,6 +45,6 @@ namespace abut
     double relaxation_ = 0.; ///< of the parallel Neumann scheme
     std::unique_ptr<InterfaceCompliance> compliance_;
     std::unique_ptr<ContactSystem> system_; ///< of the other schemes
-    std::optional<HeldNodes> held_;         ///< with the system
+    std::optional<HeldParts> held_;         ///< with the system
   };
 } // namespace abut

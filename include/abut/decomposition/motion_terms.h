@@ -14,6 +14,8 @@ namespace abut
     Eigen::MatrixXd gaps;                   ///< G
     Eigen::MatrixXd stiffness;              ///< H
     Eigen::VectorXd loads;                  ///< e
+    /// D_k of the parts that press on the body of each motion, a row each: the forces that a motion may feel.
+    Eigen::MatrixXd reach;
     /// G^T ((k_1 + k_2 + theta) D)^-1 G, its diagonal: how stiff elastic layers would hold each motion.
     Eigen::VectorXd layer_stiffness;
 

@@ -29,7 +29,8 @@ namespace abut
   class ModelCompliance;
 
   /// By factorisation where the compliance is a matrix: dense for one block, sparse for more. Otherwise by
-  /// conjugate gradients with the model, which must outlive the operator, as preconditioner.
+  /// conjugate gradients with the model, which must outlive the operator, as preconditioner, until the
+  /// compliance has become a matrix.
   std::unique_ptr<PressureOperator> make_pressure_operator(const InterfaceProblem &problem,
                                                            const InterfaceCompliance &compliance,
                                                            const ModelCompliance &model);

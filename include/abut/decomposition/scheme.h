@@ -27,7 +27,7 @@ namespace abut
     double increment = 0.; ///< largest relative change of the contact displacement of a body, discrete norm
     double bound = std::numeric_limits<double>::quiet_NaN(); ///< see SchemeResult::iteration_error, for the
                                                              ///< state the step began with
-    double normal_force = 0.;                                ///< sum of D_i p_i of that state
+    double normal_force = 0.;                                ///< sum of D_k p_k of that state
     double max_pressure = 0.;
     /// While the observer runs: the pressures that the displacement of that state answers (null where it is
     /// no field), and those that the contact law makes of it.

@@ -41,7 +41,7 @@ namespace abut
                       const std::vector<BodyResult> &bodies);
 
   /// Sum of ContactPair::law_mismatch of the bodies' displacements and contact forces over all pairs.
-  double law_mismatch(const std::vector<ContactPair> &pairs, const std::vector<BodyResult> &bodies);
+  double law_mismatch(const std::vector<const ContactPair *> &pairs, const std::vector<BodyResult> &bodies);
 
   /**
    * The cells to be changed, body by body: those that the marking of the scene chooses in bodies that adapt,

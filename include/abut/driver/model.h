@@ -13,7 +13,7 @@ namespace abut
   struct CarriedState
   {
     std::vector<Eigen::VectorXd> displacements; ///< of each body, all unknowns
-    Eigen::VectorXd pressures;                  ///< of all pairs' multipliers
+    Eigen::VectorXd pressures;                  ///< of all parts
   };
 
   /// The bodies and pairs of a scene on their present meshes.
@@ -24,7 +24,11 @@ namespace abut
     Model(const Scene &scene, const ExactSolution *exact);
 
     const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
-    const std::vector<ContactPair> &pairs() const { return pairs_; }
+    const std::vector<ContactSurface> &surfaces() const { return surfaces_; }
+    /// In the scene's order.
+    const std::vector<const ContactPair *> &pairs() const { return pairs_; }
+    /// The surface that a pair belongs to.
+    std::size_t surface_of(const std::size_t pair) const { return surface_of_[pair]; }
     const InterfaceProblem &problem() const { return *problem_; }
     /// Cells and unknowns of all bodies together.
     Counts counts() const;
@@ -34,22 +38,24 @@ namespace abut
 
     /**
      * Changes the meshes of the bodies with marked cells, one entry of `marks` for each body, and makes the
-     * pairs that see them anew. Nothing is done to other bodies. Fields and pressures are carried over;
-     * between nodes the slave's shape functions of higher degree may make pressures negative.
+     * surfaces that see them anew. Nothing is done to other bodies. Fields are carried over, and pressures: a
+     * new part takes the mean of the old ones that it covers, by length, so that none becomes negative.
      */
     CarriedState adapt(const std::vector<CellMarks> &marks, const CarriedState &state);
 
   private:
     ContactBody contact_body(const Side &side) const;
-    ContactPair make_pair(std::size_t index) const;
+    PairInput pair_input(std::size_t index) const;
+    ContactSurface make_surface(const std::vector<std::size_t> &group) const;
     void make_problem();
-    void adapt_body(std::size_t index, const CellMarks &marks, Eigen::VectorXd &displacement,
-                    std::vector<Eigen::VectorXd> &pressures);
+    bool is_new(const ContactSurface &surface) const;
 
     const Scene &scene_;
     std::vector<std::unique_ptr<Body>> bodies_;
-    std::vector<std::array<ContactBody, 2>> contact_bodies_; ///< slave and master of each pair
-    std::vector<ContactPair> pairs_;
+    std::vector<std::vector<std::size_t>> groups_; ///< of pairs, a surface each
+    std::vector<std::size_t> surface_of_;
+    std::vector<ContactSurface> surfaces_;
+    std::vector<const ContactPair *> pairs_;
     std::unique_ptr<InterfaceProblem> problem_;
     std::vector<bool> is_prepared_;
   };

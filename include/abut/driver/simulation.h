@@ -45,7 +45,7 @@ namespace abut
     void describe(std::ostream &out) const;
 
     /// Throws UserError for a body whose supports leave a rigid motion free which the scheme cannot find, or
-    /// which contact cannot hold.
+    /// which contact cannot hold, and where supports press both bodies of a pair into each other.
     void check_supports() const;
 
     /**
@@ -59,9 +59,10 @@ namespace abut
     Counts counts() const { return model_->counts(); }
 
     const std::vector<std::unique_ptr<Body>> &bodies() const { return model_->bodies(); }
-    const std::vector<ContactPair> &pairs() const { return model_->pairs(); }
+    const std::vector<const ContactPair *> &pairs() const { return model_->pairs(); }
 
   private:
+    void check_held_points() const;
     /// Solves the decomposition on the present mesh and estimates; returns what the next mesh is to start
     /// from.
     CarriedState solve_pass(const std::optional<CarriedState> &carried, const RunObserver &observer,

@@ -118,6 +118,7 @@ namespace abut
     void set_up();
     void collect_sides();
     void set_up_supports();
+    void tell_supports();
     void collect_loads();
     Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;
 

@@ -8,8 +8,9 @@
 namespace abut
 {
   /**
-   * The content of contact_<pair>.csv: `x,y,arc_length,gap,pressure`, a row for every node of the slave side
-   * by its arc length, places undeformed. The gap is empty where nothing faces the node.
+   * The content of contact_<pair>.csv: `x,y,arc_length,gap,pressure,length,load,load_x,load_y`, a row for
+   * every part of the pair along the side that is cut (see Partition), places undeformed: the reported
+   * pressure with its place, the mean gap, and the load p_k, which acts on the length at (load_x, load_y).
    */
   std::string contact_csv(const PairResult &result);
 } // namespace abut

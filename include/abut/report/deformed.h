@@ -14,10 +14,10 @@ namespace abut
     std::vector<double> von_mises; ///< mean over each cell
   };
 
-  /// A slave side as it is drawn, with its contact pressure.
+  /// A stretch of parts as it is drawn, with its contact pressure.
   struct DrawnContact
   {
-    Polyline nodes;   ///< by arc length
+    Polyline nodes;   ///< the parts' places
     Polyline normals; ///< outward, undeformed
     std::vector<double> pressures;
   };

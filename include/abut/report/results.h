@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/adaptation/indicator.h>
-#include <abut/contact/contact_pair.h>
+#include <abut/contact/contact_surface.h>
 #include <abut/decomposition/scheme.h>
 #include <abut/elasticity/body.h>
 #include <abut/mesh/quality.h>
@@ -49,21 +49,26 @@ namespace abut
     std::vector<Stress> better; ///< the estimator's better stress (CellErrors::better); may be empty
   };
 
+  /// Vectors have an entry for every part of the surface, also of those that do not belong to the pair.
   struct PairResult
   {
     const ContactPair *pair = nullptr;
-    const Trace *slave = nullptr;
-    Eigen::VectorXd
-        gaps; ///< weighted gap of every slave node, negative: penetration; infinite where nothing faces it
-    Eigen::VectorXd pressures;       ///< of every slave node, >= 0, in balance with the displacement
+    const ContactSurface *surface = nullptr;
+    std::vector<std::size_t> parts;  ///< of the pair, along the cut side
+    Eigen::VectorXd gaps;            ///< mean gap of every part, negative: penetration
+    Eigen::VectorXd loads;           ///< p_k >= 0, in balance with the displacement
+    Eigen::VectorXd pressures;       ///< as reported (see Partition)
     Vector2 force = Vector2::Zero(); ///< resultant on the slave side
-    double normal_force = 0.;        ///< sum of D_i p_i
-    double max_pressure = 0.;
-    double contact_length = 0.;  ///< sum of D_i over the nodes with a negative gap; exact contact: pressure
-    double max_penetration = 0.; ///< largest -g_i, 0 without contact
-    double min_gap = 0.;         ///< smallest g_i
-    /// Pieces of the slave side that overlap far from any node in contact: contact smaller than a cell.
-    std::vector<Piece> missed;
+    double normal_force = 0.;        ///< sum of D_k p_k
+    double max_pressure = 0.;        ///< largest reported pressure
+    double contact_length = 0.;      ///< sum of D_k over the parts that press
+    double max_penetration = 0.;     ///< largest -g_k, 0 without contact
+    double min_gap = 0.;             ///< smallest g_k
+    /// Overlap far from any part that presses: contact smaller than a part.
+    std::vector<MissedContact> missed;
+
+    const Part &part(const std::size_t k) const { return surface->partition().parts()[k]; }
+    bool presses(const std::size_t k) const { return loads[static_cast<Eigen::Index>(k)] > 0.; }
   };
 
   /// Relative errors against the exact solution that the scene names.

@@ -20,6 +20,14 @@ namespace abut
     std::string boundary;
   };
 
+  /// Which side's segments the contact pressures follow.
+  enum class MultiplierSide
+  {
+    automatic, ///< piece by piece, by the sizes of the segments and the stiffness of the bodies
+    slave,
+    master
+  };
+
   /// What the section `Contact <name>` says: a pair of sides that may touch.
   struct ContactDescription
   {
@@ -29,7 +37,8 @@ namespace abut
     std::optional<Expression>
         gap; ///< normal gap in the slave's own frame, before `Scale`; empty: from the geometry
     double penalty_coefficient = 0.; ///< c of theta = (c/2) sum H_a/E_a
-    std::optional<double> penalty;   ///< theta itself (length / stress); overrides c
+    MultiplierSide multipliers = MultiplierSide::automatic;
+    std::optional<double> penalty; ///< theta itself (length / stress); overrides c
 
     /// theta of the pair; the flexibility of a side is H_a/E_a.
     double penalty_between(double slave_flexibility, double master_flexibility) const;

@@ -11,7 +11,7 @@ namespace abut
   /**
    * The traction that nodal forces on a side stand for: the continuous t = sum_j t_j phi_j of the trace with
    * int t . phi_i = f_i. Finite elements cannot tell it from any other traction with these forces, e.g. from
-   * that of the dual multipliers, which jumps at every vertex; for boundary elements and exact responses it
+   * that of the piecewise constant multipliers, which jumps; for boundary elements and exact responses it
    * is the smooth one. Trace vectors: forces per thickness, tractions as force per area.
    */
   Eigen::VectorXd applied_traction(const Trace &side, const Eigen::VectorXd &forces);

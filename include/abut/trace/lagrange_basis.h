@@ -21,6 +21,8 @@ namespace abut
     Eigen::VectorXd values(double s) const;
     /// Their derivatives at s.
     Eigen::VectorXd derivatives(double s) const;
+    /// The integrals over [0, 1]: the weights of the Gauss-Lobatto rule.
+    Eigen::VectorXd integrals() const;
 
   private:
     Eigen::VectorXd nodes_;

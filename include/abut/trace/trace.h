@@ -4,12 +4,22 @@
 #include <abut/trace/lagrange_basis.h>
 #include <abut/vector2.h>
 
+#include <Eigen/Core>
+
 #include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace abut
 {
+  /// Whether a curve turns by less than 45 degrees between two unit normals: more is a corner.
+  inline bool is_smooth(const Vector2 &before, const Vector2 &after)
+  {
+    return before.dot(after) > std::sqrt(.5);
+  }
+
   /// One boundary edge of a mesh, run through with the body on the left (counter-clockwise around it), s in
   /// [0, 1].
   struct Segment
@@ -55,6 +65,21 @@ namespace abut
     const std::vector<double> &node_arc_lengths() const { return node_arc_lengths_; }
     double length() const { return length_; }
 
+    /// The segment that begins where this one ends; none at the end of an open curve.
+    std::optional<std::size_t> following(std::size_t segment) const { return following_[segment]; }
+    std::optional<std::size_t> preceding(std::size_t segment) const { return preceding_[segment]; }
+    /// Whether the side turns by less than 45 degrees where `segment` ends and the following one begins.
+    bool is_smooth_after(std::size_t segment) const;
+
+    /// Tells, node by node, the projections on the directions along which supports prescribe the
+    /// displacement (zero: free). An end that is held along the side alone is a plane of symmetry: its
+    /// normal loses what it has along that direction.
+    void set_supports(std::vector<Eigen::Matrix2d> projections);
+    /// Whether supports prescribe the displacement of a point of the side along a direction (unit).
+    bool is_held(const Segment &segment, double s, const Vector2 &direction) const;
+    /// Whether supports hold an end of a segment (0: start, 1: end) along the side and not across it.
+    bool is_plane_of_symmetry(const Segment &segment, std::size_t end) const;
+
     Vector2 point(const Segment &segment, double s) const;
     /// d point / ds; its length is the Jacobian of arc length.
     Vector2 tangent(const Segment &segment, double s) const;
@@ -62,6 +87,7 @@ namespace abut
     static Vector2 averaged_normal(const Segment &segment, double s);
 
   private:
+    Eigen::Matrix2d support_at(const Segment &segment, std::size_t end) const;
     void measure();
     void average_normals();
     void place_nodes();
@@ -73,6 +99,8 @@ namespace abut
     std::vector<Vector2> node_points_;
     std::vector<Vector2> node_normals_;
     std::map<std::size_t, std::array<Vector2, 2>> corner_normals_;
+    std::vector<std::optional<std::size_t>> following_, preceding_;
+    std::vector<Eigen::Matrix2d> supports_; ///< empty: none
     std::vector<double> node_arc_lengths_;
     double length_ = 0.;
   };

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/trace/common_normal.h>
+
+#include <boost/math/tools/roots.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace abut
+{
+  namespace
+  {
+    constexpr double smallest_cosine = .2; // between the common normal and either side's
+
+    double cross(const Vector2 &a, const Vector2 &b)
+    {
+      return a.x() * b.y() - a.y() * b.x();
+    }
+
+    double shortest_segment(const Trace &side)
+    {
+      return std::min_element(side.segments().begin(), side.segments().end(),
+                              [](const Segment &a, const Segment &b) { return a.length < b.length; })
+          ->length;
+    }
+
+    /// A zero of f in [0, 1], from its values at the ends; the nearer end where they have one sign.
+    template <typename Function>
+    double zero_between(const Function &f, const double at_start, const double at_end)
+    {
+      if (!(at_start * at_end < 0.))
+        return std::abs(at_start) <= std::abs(at_end) ? 0. : 1.;
+      std::uintmax_t most_steps = 60;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          f, 0., 1., at_start, at_end, boost::math::tools::eps_tolerance<double>(52), most_steps);
+      return .5 * (low + high);
+    }
+  } // namespace
+
+  CommonNormal::CommonNormal(const Trace &cut, const Trace &other)
+      : cut_(cut), other_(other), cut_weight_(cut, shortest_segment(other)),
+        other_weight_(other, shortest_segment(cut)), cut_ends_(ends_of(cut, cut_weight_)),
+        other_ends_(ends_of(other, other_weight_))
+  {}
+
+  CommonNormal::Place CommonNormal::place_on(const Trace &side, const NormalWeight &weight,
+                                             const std::size_t segment, const double s)
+  {
+    const Segment &at = side.segments()[segment];
+    return {side.point(at, s), Trace::averaged_normal(at, s), weight.at(segment, s)};
+  }
+
+  CommonNormal::Ends CommonNormal::ends_of(const Trace &side, const NormalWeight &weight)
+  {
+    Ends ends;
+    for (std::size_t i = 0; i < side.segments().size(); ++i)
+      ends.push_back({{place_on(side, weight, i, 0.), place_on(side, weight, i, 1.)}});
+    return ends;
+  }
+
+  Vector2 CommonNormal::direction(const Place &cut, const Place &other)
+  {
+    return (other.weight * cut.normal - cut.weight * other.normal) / (cut.weight + other.weight);
+  }
+
+  double CommonNormal::offset(const Place &cut, const Place &other)
+  {
+    return cross(other.point - cut.point, direction(cut, other));
+  }
+
+  std::optional<CommonNormal::Facing> CommonNormal::facing(const std::size_t segment, const double s,
+                                                           const double deepest) const
+  {
+    const Place place = place_on(cut_, cut_weight_, segment, s);
+    std::optional<Facing> first;
+    for (std::size_t j = 0; j < other_ends_.size(); ++j)
+    {
+      // With its body on the left, the other side faces this one when it runs across the normal from left to
+      // right.
+      if (!(offset(place, other_ends_[j][0]) <= 0. && offset(place, other_ends_[j][1]) > 0.))
+        continue;
+      const Facing facing = project(place, j);
+      if (look_at_each_other(place, facing) && facing.opposite.gap >= -deepest &&
+          (!first || facing.opposite.gap < first->opposite.gap))
+        first = facing;
+    }
+    return first;
+  }
+
+  bool CommonNormal::look_at_each_other(const Place &place, const Facing &facing) const
+  {
+    const Vector2 there = Trace::averaged_normal(other_.segments()[facing.segment], facing.opposite.t);
+    return facing.opposite.normal.dot(place.normal) > smallest_cosine &&
+           facing.opposite.normal.dot(there) < -smallest_cosine;
+  }
+
+  Opposite CommonNormal::project(const std::size_t segment, const double s,
+                                 const std::size_t other_segment) const
+  {
+    return project(place_on(cut_, cut_weight_, segment, s), other_segment).opposite;
+  }
+
+  CommonNormal::Facing CommonNormal::project(const Place &place, const std::size_t other_segment) const
+  {
+    const auto &ends = other_ends_[other_segment];
+    const auto miss = [&](const double t) {
+      return offset(place, place_on(other_, other_weight_, other_segment, t));
+    };
+    const double t = zero_between(miss, offset(place, ends[0]), offset(place, ends[1]));
+    const Place other = place_on(other_, other_weight_, other_segment, t);
+    const Vector2 normal = direction(place, other).normalized();
+    return {other_segment, {t, (other.point - place.point).dot(normal), normal}};
+  }
+
+  std::optional<double> CommonNormal::place_opposite(const std::size_t segment,
+                                                     const std::size_t other_segment, const double t) const
+  {
+    const auto &ends = cut_ends_[segment];
+    const auto &other_ends = other_ends_[other_segment];
+    const Place other = t == 0.   ? other_ends[0]
+                        : t == 1. ? other_ends[1]
+                                  : place_on(other_, other_weight_, other_segment, t);
+    const double at_start = offset(ends[0], other), at_end = offset(ends[1], other);
+    if (!(at_start * at_end < 0.))
+      return {};
+    return zero_between(
+        [&](const double s) { return offset(place_on(cut_, cut_weight_, segment, s), other); }, at_start,
+        at_end);
+  }
+} // namespace abut

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/trace/coupling.h>
+
+#include <algorithm>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+    using Triplets = std::vector<Eigen::Triplet<double>>;
+
+    class Coupler
+    {
+    public:
+      Coupler(const Surface &surface, const CommonNormal &normal, const SurfaceLink &link,
+              const GapFunction &gap, const std::size_t n_parts)
+          : cut_(*surface.cut[link.cut].trace), other_(*surface.others[link.other].trace), normal_(normal),
+            gap_(gap), rule_(std::max(cut_.basis().degree(), other_.basis().degree()) + 3)
+      {
+        result_.weights = result_.gap = Eigen::VectorXd::Zero(static_cast<Index>(n_parts));
+      }
+
+      void add(const Piece &piece)
+      {
+        const Segment &segment = cut_.segments()[piece.cut_segment],
+                      &opposite_segment = other_.segments()[piece.other_segment];
+        for (Index q = 0; q < rule_.points.size(); ++q)
+        {
+          const double s = piece.start + (piece.end - piece.start) * rule_.points[q];
+          const double weight =
+              (piece.end - piece.start) * rule_.weights[q] * cut_.tangent(segment, s).norm();
+          const Opposite opposite = normal_.project(piece.cut_segment, s, piece.other_segment);
+          add_gap(piece.part, weight, cut_.point(segment, s), opposite);
+          add_row(piece.part, -weight, cut_.basis().values(s), segment, opposite.normal, of_cut_);
+          add_row(piece.part, weight, other_.basis().values(opposite.t), opposite_segment, opposite.normal,
+                  of_other_);
+        }
+      }
+
+      Coupling result()
+      {
+        result_.cut = assemble(of_cut_, cut_);
+        result_.other = assemble(of_other_, other_);
+        return std::move(result_);
+      }
+
+    private:
+      void add_gap(const std::size_t part, const double weight, const Vector2 &point,
+                   const Opposite &opposite)
+      {
+        const double gap = gap_(point, opposite);
+        result_.weights[static_cast<Index>(part)] += weight;
+        result_.gap[static_cast<Index>(part)] += weight * gap;
+        result_.covered_length += weight;
+        if (gap < result_.smallest_gap)
+        {
+          result_.smallest_gap = gap;
+          result_.distance_at_smallest = opposite.gap;
+        }
+        result_.largest_gap = std::max(result_.largest_gap, gap);
+        result_.deepest = std::max(result_.deepest, -opposite.gap);
+      }
+
+      static void add_row(const std::size_t part, const double weight, const Eigen::VectorXd &values,
+                          const Segment &segment, const Vector2 &normal, Triplets &triplets)
+      {
+        for (std::size_t j = 0; j < segment.nodes.size(); ++j)
+          for (int component = 0; component < 2; ++component)
+            triplets.emplace_back(static_cast<int>(part), static_cast<int>(2 * segment.nodes[j]) + component,
+                                  weight * values[static_cast<Index>(j)] * normal[component]);
+      }
+
+      Eigen::SparseMatrix<double, Eigen::RowMajor> assemble(const Triplets &triplets,
+                                                            const Trace &columns) const
+      {
+        Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(result_.weights.size(),
+                                                            static_cast<Index>(2 * columns.n_nodes()));
+        matrix.setFromTriplets(triplets.begin(), triplets.end());
+        return matrix;
+      }
+
+      const Trace &cut_, &other_;
+      const CommonNormal &normal_;
+      const GapFunction &gap_;
+      const GaussRule rule_;
+      Triplets of_cut_, of_other_;
+      Coupling result_;
+    };
+  } // namespace
+
+  Coupling couple(const Surface &surface, const std::vector<CommonNormal> &normals,
+                  const Partition &partition, const std::size_t link, const GapFunction &gap)
+  {
+    Coupler coupler(surface, normals[link], surface.links[link], gap, partition.parts().size());
+    for (const Piece &piece : partition.pieces())
+      if (piece.link == link)
+        coupler.add(piece);
+    return coupler.result();
+  }
+} // namespace abut
