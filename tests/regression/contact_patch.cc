@@ -83,6 +83,7 @@ namespace
     Deviation worst;
     for (const PairResult &pair : results.pairs)
     {
+      EXPECT_TRUE(!pair.parts.empty() && pair.loads.allFinite() && pair.pressures.allFinite());
       for (const std::size_t k : pair.parts)
         for (const double p :
              {pair.loads[static_cast<Eigen::Index>(k)], pair.pressures[static_cast<Eigen::Index>(k)]})
@@ -95,6 +96,7 @@ namespace
                         const Stress stress = body.body->material().stress(gradient);
                         Eigen::Matrix2d tensor;
                         tensor << stress.xx, stress.xy, stress.xy, stress.yy;
+                        EXPECT_TRUE(tensor.allFinite());
                         worst.stress =
                             std::max(worst.stress, (tensor * normal + pressure * normal).norm() / pressure);
                       });
