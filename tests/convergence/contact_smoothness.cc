@@ -8,10 +8,11 @@
 // exact pressure at the place).
 #include <abut/decomposition/interface_solver.h>
 #include <abut/driver/model.h>
-#include <abut/reference/layers_contact.h>
 
 #include <gtest/gtest.h>
 
+#include "digits.h"
+#include "roller_layers.h"
 #include <iomanip>
 #include <iostream>
 
@@ -19,14 +20,11 @@ using namespace abut;
 
 namespace
 {
-  constexpr double length = 4., curvature = 1e-3, approach = 1.366e-3, modulus = 2.1e5;
-
   /// The layers of `prm/two-layers-rollers.prm`: only the ratio of the moduli matters for equal nu, as a
   /// factor.
   const LayersContact &equal_layers()
   {
-    const Layer layer{modulus, .3, 1., Layer::Base::sliding};
-    static const LayersContact contact({{{layer, layer}}, length, curvature, approach});
+    static const LayersContact contact = roller_layers::exact(roller_layers::approach);
     return contact;
   }
 
@@ -42,14 +40,6 @@ namespace
     double loads = 0., reported = 0., mean_error = 0.;
   };
 
-  std::string digits_of(const double value)
-  {
-    std::ostringstream stream;
-    stream.precision(17);
-    stream << value;
-    return stream.str();
-  }
-
   Scene scene_of(const Case &c)
   {
     const auto cells = [](const unsigned int columns) { return std::to_string(columns) + ", 8"; };
@@ -57,7 +47,7 @@ namespace
                        {"Discretisation/Degree=" + std::to_string(c.degree),
                         "Body upper/Cells=" + cells(c.upper_columns),
                         "Body lower/Cells=" + cells(c.lower_columns),
-                        "Body upper/Young modulus=" + digits_of(modulus * c.stiffness),
+                        "Body upper/Young modulus=" + digits_of(roller_layers::modulus * c.stiffness),
                         "Reference/Exact solution=none", "Decomposition/Tolerance=1e-10"});
   }
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What the end of the contact does. Inside a part, where it may lie anywhere, the pressure is constant:
+// errors of one mesh go up and down with that place by more than between methods. So they are taken over
+// eight approaches that move it through one cell, and the largest are compared with those of the
+// discretisation before, dual multipliers on the nodes of the slave, on the same meshes.
+#include "digits.h"
+#include "roller_layers.h"
+#include "solved_scene.h"
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+namespace
+{
+  /// Relative: force, p(0), pressure and stress in L2.
+  using Errors = std::array<double, 4>;
+
+  struct Row
+  {
+    unsigned int degree, columns;
+    Errors dual; ///< largest of the eight, of commit fd3121b by the same approaches
+  };
+
+  constexpr unsigned int positions = 8;
+
+  /// The half-width of the contact, about 1, grows by the share 1/1.6 of what the approach grows by.
+  double approach_of(const Row &row, const unsigned int position)
+  {
+    return roller_layers::approach * (1. + 1.6 * position * roller_layers::length / row.columns / positions);
+  }
+
+  Errors errors_of(const Row &row, const double approach)
+  {
+    const std::string cells = std::to_string(row.columns) + ", " + std::to_string(row.columns / 4);
+    const SolvedScene scene(
+        "two-layers-rollers.prm",
+        {"Discretisation/Degree=" + std::to_string(row.degree), "Body upper/Cells=" + cells,
+         "Body lower/Cells=" + cells,
+         "Constants/Values=" + digits_of(roller_layers::curvature) + ", " + digits_of(approach)});
+    const abut::PairResult &pair = scene.pair();
+    std::size_t middle = 0;
+    for (const std::size_t k : pair.parts)
+      if (pair.part(k).place.x() < pair.part(middle).place.x())
+        middle = k;
+    const double expected = roller_layers::exact(approach).pressure(pair.part(middle).place.x());
+    const abut::TrueErrors &errors = scene.results().true_errors;
+    return {std::abs(errors.force.value()),
+            std::abs(pair.pressures[static_cast<Eigen::Index>(middle)] / expected - 1.),
+            errors.pressure.value(), errors.stress.value()};
+  }
+
+  void print(const std::string &name, const Errors &errors)
+  {
+    std::cout << std::setw(12) << name << std::scientific << std::setprecision(2);
+    for (const double error : errors)
+      std::cout << std::setw(12) << error;
+    std::cout << std::defaultfloat << std::setprecision(6) << '\n' << std::flush;
+  }
+
+  class ContactEnd : public testing::TestWithParam<Row>
+  {};
+
+  TEST_P(ContactEnd, costs_no_more_than_with_dual_multipliers_wherever_it_lies)
+  {
+    const Row row = GetParam();
+    Errors largest{};
+    for (unsigned int position = 0; position < positions; ++position)
+    {
+      const Errors errors = errors_of(row, approach_of(row, position));
+      for (std::size_t i = 0; i < errors.size(); ++i)
+      {
+        EXPECT_TRUE(std::isfinite(errors[i]));
+        largest[i] = std::max(largest[i], errors[i]);
+      }
+    }
+    std::cout << "Degree " << row.degree << ", " << row.columns
+              << " columns: largest of eight relative errors of force, p(0), pressure and stress\n";
+    print("dual", row.dual);
+    print("parts", largest);
+    for (std::size_t i = 0; i < largest.size(); ++i)
+      EXPECT_LE(largest[i], 1.3 * row.dual[i]) << "error " << i;
+  }
+
+  INSTANTIATE_TEST_SUITE_P(MatchingLayers, ContactEnd,
+                           testing::Values(Row{1, 32, {{2.809e-3, 3.578e-4, 3.820e-2, 4.626e-2}}},
+                                           Row{1, 64, {{7.257e-4, 8.467e-5, 1.927e-2, 2.352e-2}}},
+                                           Row{1, 128, {{1.736e-4, 2.016e-5, 9.483e-3, 1.184e-2}}},
+                                           Row{2, 32, {{1.206e-3, 9.254e-4, 1.771e-2, 7.125e-3}}},
+                                           Row{2, 64, {{3.198e-4, 2.334e-4, 8.425e-3, 2.633e-3}}},
+                                           Row{2, 128, {{5.577e-5, 6.069e-5, 4.378e-3, 8.181e-4}}},
+                                           Row{3, 32, {{2.593e-4, 2.314e-5, 1.225e-2, 2.539e-3}}},
+                                           Row{3, 64, {{8.140e-5, 6.832e-6, 6.373e-3, 9.272e-4}}},
+                                           Row{3, 128, {{2.466e-5, 2.065e-6, 2.826e-3, 3.506e-4}}}),
+                           [](const testing::TestParamInfo<Row> &info) {
+                             return "Degree" + std::to_string(info.param.degree) + "Columns" +
+                                    std::to_string(info.param.columns);
+                           });
+} // namespace
