@@ -46,9 +46,9 @@ namespace
         middle = k;
     const double expected = roller_layers::exact(approach).pressure(pair.part(middle).place.x());
     const abut::TrueErrors &errors = scene.results().true_errors;
-    return {std::abs(errors.force.value()),
-            std::abs(pair.pressures[static_cast<Eigen::Index>(middle)] / expected - 1.),
-            errors.pressure.value(), errors.stress.value()};
+    return {{std::abs(errors.force.value()),
+             std::abs(pair.pressures[static_cast<Eigen::Index>(middle)] / expected - 1.),
+             errors.pressure.value(), errors.stress.value()}};
   }
 
   void print(const std::string &name, const Errors &errors)

@@ -11,6 +11,7 @@
 #include "estimator_passes.h"
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 namespace
 {
@@ -59,13 +60,25 @@ namespace
     return {body, field.stress};
   }
 
+  /// A folder of this process alone: tests run side by side. It goes with the process.
+  class ScratchFolder
+  {
+  public:
+    ScratchFolder() { std::filesystem::create_directory(path_); }
+    ~ScratchFolder() { std::filesystem::remove_all(path_); }
+    std::string file(const std::string &name) const { return (path_ / name).string(); }
+
+  private:
+    std::filesystem::path path_ =
+        std::filesystem::temp_directory_path() / ("abut-estimator-" + std::to_string(getpid()));
+  };
+
   /// A mesh of n x n squares of (-1, 1) x (0, 2): physical lines 1 on y = 0, x < 0; 2 on y = 0, x > 0; 3
   /// right; 4 top; 5 left.
   std::string split_square(const unsigned int n)
   {
-    const std::string path =
-        (std::filesystem::temp_directory_path() / ("abut_split_square_" + std::to_string(n) + ".msh"))
-            .string();
+    static const ScratchFolder folder;
+    const std::string path = folder.file("split_square_" + std::to_string(n) + ".msh");
     std::ofstream out(path);
     const auto node = [n](const unsigned int i, const unsigned int j) { return 1 + i + j * (n + 1); };
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << (n + 1) * (n + 1) << '\n';
