@@ -3,7 +3,6 @@
 #include <abut/user_error.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -100,23 +99,5 @@ namespace abut
                               samples_.places[i], deepest};
       }
     return found;
-  }
-
-  double ContactPair::law_mismatch(const Eigen::VectorXd &cut_displacement,
-                                   const Eigen::VectorXd &other_displacement,
-                                   const Eigen::VectorXd &cut_traction) const
-  {
-    const std::array<double, GapSamples::per_piece> boole{
-        {7. / 90., 32. / 90., 12. / 90., 32. / 90., 7. / 90.}};
-    const Eigen::ArrayXd gaps = samples_.gaps(cut_displacement, other_displacement);
-    const Eigen::ArrayXd pressures = samples_.cut * cut_traction; // its rows are -n
-    const Eigen::ArrayXd products = pressures.abs() * (penalty_ * pressures + gaps).abs();
-    double sum = 0.;
-    Index sample = 0;
-    for (const Piece &piece : samples_.pieces)
-      for (const double weight : boole)
-        sum += weight * (piece.end - piece.start) * cut_side().trace->segments()[piece.cut_segment].length *
-               products[sample++];
-    return sum;
   }
 } // namespace abut

@@ -1,18 +1,50 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/contact/law_mismatch.h>
 #include <abut/driver/estimation.h>
 #include <abut/trace/applied_traction.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace abut
 {
   namespace
   {
-    /// Zero where there is no stress.
+    constexpr double largest_error = 1e3; // relative; what is beyond says no more
+
+    /// Zero where there is no error.
     double by_norm(const double error, const double norm)
     {
-      return norm > 0. ? error / norm : 0.;
+      if (!(error > 0.))
+        return 0.;
+      return norm > 0. ? error / norm : std::numeric_limits<double>::infinity();
+    }
+
+    /// The entries of a vector over a body's contact sides that belong to one of them.
+    Eigen::VectorXd on_side(const ContactBody &side, const BodyResult &result, const Eigen::VectorXd &trace)
+    {
+      return trace.segment(result.body->trace_offset(side.side),
+                           static_cast<Eigen::Index>(2 * side.trace->n_nodes()));
+    }
+
+    void add_mismatch(const ContactPair &pair, const std::vector<bool> &near,
+                      const std::vector<BodyResult> &bodies, ContactMismatch &sum)
+    {
+      const auto displacement = [&](const ContactBody &side) {
+        const BodyResult &result = bodies[side.body];
+        return on_side(side, result, result.body->trace_of(result.displacement));
+      };
+      const auto traction = [&](const ContactBody &side) {
+        const BodyResult &result = bodies[side.body];
+        return applied_traction(*side.trace, on_side(side, result, result.contact_forces));
+      };
+      const ContactBody &cut = pair.cut_side(), &other = pair.other_side();
+      const LawMismatch mismatch = law_mismatch(pair, near, {displacement(cut), displacement(other)},
+                                                {traction(cut), traction(other)});
+      sum.law += mismatch.law;
+      sum.responses[cut.body] += mismatch.cut_response;
+      sum.responses[other.body] += mismatch.other_response;
     }
 
     void mark_missed(const Scene &scene, const PairResult &result, const std::vector<BodyResult> &bodies,
@@ -57,16 +89,22 @@ namespace abut
 
   std::optional<double> Estimation::energy_bound() const
   {
-    if (!law_mismatch)
+    if (!mismatch)
       return {};
-    const double b = energy_error();
-    return .5 * b + std::sqrt(.25 * b * b + *law_mismatch);
+    double square = 0.;
+    for (std::size_t a = 0; a < errors.size(); ++a)
+      square += std::pow(errors[a].energy.norm() + std::sqrt(mismatch->responses[a]), 2);
+    const double b = std::sqrt(square);
+    return .5 * b + std::sqrt(.25 * square + mismatch->law);
   }
 
   std::optional<double> Estimation::bound() const
   {
     const std::optional<double> bound = energy_bound();
-    return bound ? std::optional<double>(by_norm(*bound, energy_norm())) : bound;
+    if (!bound)
+      return {};
+    const double norm = energy_norm();
+    return std::min(largest_error, by_norm(*bound, std::sqrt(std::max(0., norm * norm - *bound * *bound))));
   }
 
   double Estimation::stress() const
@@ -118,21 +156,19 @@ namespace abut
     return estimation;
   }
 
-  double law_mismatch(const std::vector<const ContactPair *> &pairs, const std::vector<BodyResult> &bodies)
+  ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,
+                                   const std::vector<BodyResult> &bodies)
   {
-    double sum = 0.;
-    for (const ContactPair *pair : pairs)
+    ContactMismatch sum{0., std::vector<double>(bodies.size(), 0.)};
+    for (std::size_t surface = 0; surface < problem.surfaces().size(); ++surface)
     {
-      const auto on_side = [&](const ContactBody &side, const Eigen::VectorXd &trace) -> Eigen::VectorXd {
-        return trace.segment(bodies[side.body].body->trace_offset(side.side),
-                             static_cast<Eigen::Index>(2 * side.trace->n_nodes()));
-      };
-      const auto displacement = [&](const ContactBody &side) {
-        return on_side(side, bodies[side.body].body->trace_of(bodies[side.body].displacement));
-      };
-      const ContactBody &cut = pair->cut_side();
-      sum += pair->law_mismatch(displacement(cut), displacement(pair->other_side()),
-                                applied_traction(*cut.trace, on_side(cut, bodies[cut.body].contact_forces)));
+      const ContactSurface &parts = problem.surfaces()[surface];
+      std::vector<bool> presses;
+      for (const double pressure : problem.of_surface(surface, pressures))
+        presses.push_back(pressure > 0.);
+      const std::vector<bool> near = parts.near_contact(presses);
+      for (const ContactPair &pair : parts.pairs())
+        add_mismatch(pair, near, bodies, sum);
     }
     return sum;
   }

@@ -55,7 +55,7 @@ namespace abut
       results.bodies[a].contact_forces = model_->problem().contact_forces(a, law);
     estimation_ = estimate(*indicator_, scene_.adaptation, results.bodies);
     if (by_law)
-      estimation_.law_mismatch = law_mismatch(pairs(), results.bodies);
+      estimation_.mismatch = contact_mismatch(model_->problem(), law, results.bodies);
     for (std::size_t a = 0; a < bodies().size(); ++a)
     {
       results.bodies[a].eta = estimation_.eta[a];

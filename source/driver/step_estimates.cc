@@ -58,7 +58,7 @@ namespace abut
       const Stopwatch watch(estimate_seconds_);
       bodies = bodies_at(record);
       estimation = estimate(*indicator_, scene_.adaptation, bodies);
-      estimation.law_mismatch = law_mismatch(model_.pairs(), bodies);
+      estimation.mismatch = contact_mismatch(model_.problem(), *record.applied, bodies);
       boundary_cost_ += estimation.boundary_cost();
     }
     const Stopwatch watch(reference_seconds_);

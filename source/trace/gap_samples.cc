@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/trace/carrier.h>
 #include <abut/trace/gap_samples.h>
 
 #include <algorithm>
@@ -44,7 +45,10 @@ namespace abut
     GapSamples samples;
     for (const Piece &piece : partition.pieces())
       if (piece.link == link)
+      {
         samples.pieces.push_back(piece);
+        samples.other_carries.push_back(other_carries(surface, piece));
+      }
     const auto n = per_piece * static_cast<Index>(samples.pieces.size());
     samples.gap.resize(n);
     std::vector<Eigen::Triplet<double>> of_cut, of_other;

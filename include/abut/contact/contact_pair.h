@@ -62,6 +62,8 @@ namespace abut
     double coverage() const { return coverage_; }
     /// The link of the surface.
     std::size_t link() const { return link_; }
+    /// The gap at single points.
+    const GapSamples &samples() const { return samples_; }
 
     /// Pieces of parts that are not `near` contact (an entry for each part of the surface) and overlap at
     /// some point all the same. Displacements are trace vectors of the two sides.
@@ -73,14 +75,6 @@ namespace abut
     /// pressure is defined there.
     std::optional<MissedContact> held_overlap(const Eigen::VectorXd &cut_displacement,
                                               const Eigen::VectorXd &other_displacement) const;
-
-    /**
-     * int |p| |theta p + g| ds over the cut side, of the pressure p = -t . n of its nodal tractions (see
-     * applied_traction) and the gap g of the displacements, point by point: by how much they miss the contact
-     * law, in units of the squared energy norm. Trace vectors of the two sides.
-     */
-    double law_mismatch(const Eigen::VectorXd &cut_displacement, const Eigen::VectorXd &other_displacement,
-                        const Eigen::VectorXd &cut_traction) const;
 
   private:
     void check(const ContactDescription &description) const;

@@ -16,10 +16,11 @@ namespace abut
 
     Eigen::SparseMatrix<double, Eigen::RowMajor> cut; ///< samples, piece by piece, x trace components
     Eigen::SparseMatrix<double, Eigen::RowMajor> other;
-    Eigen::VectorXd gap;         ///< initial
-    std::vector<Piece> pieces;   ///< of the link
-    std::vector<Vector2> places; ///< of the samples, on the cut side
-    std::vector<bool> held;      ///< whether supports hold both bodies along the normal there
+    Eigen::VectorXd gap;             ///< initial
+    std::vector<Piece> pieces;       ///< of the link
+    std::vector<bool> other_carries; ///< for every piece: the other side, not the cut one (see Partition)
+    std::vector<Vector2> places;     ///< of the samples, on the cut side
+    std::vector<bool> held;          ///< whether supports hold both bodies along the normal there
 
     Eigen::VectorXd gaps(const Eigen::VectorXd &cut_displacement,
                          const Eigen::VectorXd &other_displacement) const
