@@ -47,10 +47,13 @@ namespace abut
     std::ostringstream text;
     const double thinner = std::min(slave_.depth, master_.depth),
                  thicker = std::max(slave_.depth, master_.depth);
-    if (coupling_.deepest > thinner)
+    const bool one_body = slave_.body == master_.body;
+    // Sides that look at each other through their body overlap by its depth, give or take its shape.
+    if (coupling_.deepest > (one_body ? .5 : 1.) * thinner)
       text << "Contact " << name_ << ": the sides overlap by " << coupling_.deepest
-           << ", more than the bodies behind them are deep (" << thinner
-           << "); check the side names and the bodies' places";
+           << (one_body ? ", as sides of one body that lies between them (its depth: "
+                        : ", more than the bodies behind them are deep (")
+           << thinner << "); check the side names and the bodies' places";
     else if (description.gap && coupling_.covered_length > 0. &&
              std::abs(coupling_.smallest_gap - coupling_.distance_at_smallest) > thicker)
       text << "Contact " << name_ << "/Gap: received " << coupling_.smallest_gap << " where the sides are "

@@ -45,7 +45,8 @@ namespace abut
     void describe(std::ostream &out) const;
 
     /// Throws UserError for a body whose supports leave a rigid motion free which the scheme cannot find, or
-    /// which contact cannot hold, and where supports press both bodies of a pair into each other.
+    /// which contact cannot hold or pushes away, and where supports press both bodies of a pair into each
+    /// other.
     void check_supports() const;
 
     /**
@@ -63,6 +64,8 @@ namespace abut
 
   private:
     void check_held_points() const;
+    /// As far as the bodies move without deforming.
+    void check_pushed_bodies(const MotionTerms &motions) const;
     /// Solves the decomposition on the present mesh and estimates; returns what the next mesh is to start
     /// from.
     CarriedState solve_pass(const std::optional<CarriedState> &carried, const RunObserver &observer,
