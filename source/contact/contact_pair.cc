@@ -86,6 +86,39 @@ namespace abut
     return missed;
   }
 
+  NearestPoint ContactPair::nearest(const Eigen::VectorXd &cut_displacement,
+                                    const Eigen::VectorXd &other_displacement) const
+  {
+    NearestPoint nearest;
+    if (samples_.places.empty())
+      return nearest;
+    Index sample = 0;
+    nearest.gap = samples_.gaps(cut_displacement, other_displacement).minCoeff(&sample);
+    nearest.place = samples_.places[static_cast<std::size_t>(sample)];
+    return nearest;
+  }
+
+  namespace
+  {
+    /// Every displacement turned by -90 degrees: its component along n is the other's along the tangent, n
+    /// turned by +90 degrees.
+    Eigen::VectorXd turned(const Eigen::VectorXd &displacement)
+    {
+      Eigen::VectorXd result(displacement.size());
+      for (Index i = 0; i < displacement.size(); i += 2)
+        result.segment<2>(i) << displacement[i + 1], -displacement[i];
+      return result;
+    }
+  } // namespace
+
+  Eigen::VectorXd ContactPair::sliding(const Eigen::VectorXd &cut_displacement,
+                                       const Eigen::VectorXd &other_displacement) const
+  {
+    const Eigen::VectorXd integrals =
+        coupling_.cut * turned(cut_displacement) + coupling_.other * turned(other_displacement);
+    return (weights().array() > 0.).select(integrals.cwiseQuotient(weights()), 0.);
+  }
+
   std::optional<MissedContact> ContactPair::held_overlap(const Eigen::VectorXd &cut_displacement,
                                                          const Eigen::VectorXd &other_displacement) const
   {

@@ -118,6 +118,7 @@ namespace abut
       if (!carried)
         break;
     }
+    find_all_peaks(results);
     results.limit_distance = limit_distance(results);
     results.warnings = warnings(results);
     results.left_out = left_out(results);
