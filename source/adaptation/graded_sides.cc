@@ -228,10 +228,15 @@ namespace abut
     return result;
   }
 
-  bool has_singular_vertices(const Body &body)
+  std::vector<Vector2> singular_vertices(const Body &body)
   {
     const GradedSides graded(body, 0);
-    return std::any_of(graded.singular_ends().begin(), graded.singular_ends().end(),
-                       [](const bool singular) { return singular; });
+    std::vector<Vector2> places;
+    auto singular = graded.singular_ends().begin();
+    for (const Trace &side : graded.sides())
+      for (const Segment &segment : side.segments())
+        if (*singular++)
+          places.push_back(segment.points.back());
+    return places;
   }
 } // namespace abut

@@ -46,10 +46,13 @@ namespace abut
     std::ostringstream text;
     const double thinner = std::min(slave_.depth, master_.depth),
                  thicker = std::max(slave_.depth, master_.depth);
-    if (coupling_.deepest > thinner)
+    const bool one_body = slave_.body == master_.body;
+    // Sides that look at each other through their body overlap by its depth, give or take its shape.
+    if (coupling_.deepest > (one_body ? .5 : 1.) * thinner)
       text << "Contact " << name_ << ": the sides overlap by " << coupling_.deepest
-           << ", more than the bodies behind them are deep (" << thinner
-           << "); check the side names and the bodies' places";
+           << (one_body ? ", as sides of one body that lies between them (its depth: "
+                        : ", more than the bodies behind them are deep (")
+           << thinner << "); check the side names and the bodies' places";
     else if (description.gap && coupling_.covered_length > 0. &&
              std::abs(coupling_.smallest_gap - coupling_.distance_at_smallest) > thicker)
       text << "Contact " << name_ << "/Gap: received " << coupling_.smallest_gap << " where the sides are "
@@ -80,6 +83,39 @@ namespace abut
             {samples_.pieces[i], samples_.places[static_cast<std::size_t>(first + deepest)], -smallest});
     }
     return missed;
+  }
+
+  NearestPoint ContactPair::nearest(const Eigen::VectorXd &cut_displacement,
+                                    const Eigen::VectorXd &other_displacement) const
+  {
+    NearestPoint nearest;
+    if (samples_.places.empty())
+      return nearest;
+    Index sample = 0;
+    nearest.gap = samples_.gaps(cut_displacement, other_displacement).minCoeff(&sample);
+    nearest.place = samples_.places[static_cast<std::size_t>(sample)];
+    return nearest;
+  }
+
+  namespace
+  {
+    /// Every displacement turned by -90 degrees: its component along n is the other's along the tangent, n
+    /// turned by +90 degrees.
+    Eigen::VectorXd turned(const Eigen::VectorXd &displacement)
+    {
+      Eigen::VectorXd result(displacement.size());
+      for (Index i = 0; i < displacement.size(); i += 2)
+        result.segment<2>(i) << displacement[i + 1], -displacement[i];
+      return result;
+    }
+  } // namespace
+
+  Eigen::VectorXd ContactPair::sliding(const Eigen::VectorXd &cut_displacement,
+                                       const Eigen::VectorXd &other_displacement) const
+  {
+    const Eigen::VectorXd integrals =
+        coupling_.cut * turned(cut_displacement) + coupling_.other * turned(other_displacement);
+    return (weights().array() > 0.).select(integrals.cwiseQuotient(weights()), 0.);
   }
 
   std::optional<MissedContact> ContactPair::held_overlap(const Eigen::VectorXd &cut_displacement,

@@ -85,6 +85,13 @@ namespace abut
       return options;
     }
 
+    void print_warnings(std::ostream &err, const Scene &scene, const Warnings &warnings)
+    {
+      for (const Warning &warning : warnings)
+        err << "abut: " << scene.file << ": warning (" << to_string(warning.code) << "): " << warning.text
+            << '\n';
+    }
+
     int run_scene(const Scene &scene, const bool quiet, std::ostream &out, std::ostream &err)
     {
       using Clock = std::chrono::steady_clock;
@@ -113,10 +120,9 @@ namespace abut
       const Written written = write_all(results, history, scene.output_directory, seconds());
       results.times.output = written.seconds;
       results.left_out.insert(results.left_out.end(), written.left_out.begin(), written.left_out.end());
+      print_warnings(err, scene, results.warnings);
       if (!quiet)
         print_results(out, results, scene.output_directory, seconds());
-      for (const std::string &warning : results.warnings)
-        err << "abut: " << scene.file << ": warning: " << warning << '\n';
       if (results.converged())
         return ExitStatus::converged;
       err << "abut: " << scene.file << ": " << results.message() << ". The results in "
@@ -153,6 +159,7 @@ namespace abut
       if (!options.check)
         return run_scene(scene, options.quiet, out, err);
       const Simulation simulation(scene);
+      print_warnings(err, scene, simulation.input_warnings());
       simulation.describe(out);
       simulation.check_supports();
       return ExitStatus::converged;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/pushed_bodies.h>
 #include <abut/decomposition/resultant_loading.h>
 #include <abut/driver/simulation.h>
 #include <abut/driver/step_estimates.h>
@@ -50,7 +51,16 @@ namespace abut
     }
     if (floats &&
         resultant_body() == nullptr) // rigid sides need the stiffness: those scenes are checked later
-      make_motion_terms(model_->problem());
+      check_pushed_bodies(make_motion_terms(model_->problem()));
+  }
+
+  void Simulation::check_pushed_bodies(const MotionTerms &motions) const
+  {
+    std::vector<Eigen::VectorXd> prescribed;
+    for (const auto &body : bodies())
+      prescribed.push_back(body->trace_of(body->supports().fixed + body->rigid_motion(0.)));
+    const InterfaceProblem &problem = model_->problem();
+    refuse_pushed_bodies(problem, motions, problem.observe(prescribed).head(problem.n_pressures()));
   }
 
   void Simulation::check_held_points() const
@@ -108,6 +118,7 @@ namespace abut
       if (!carried)
         break;
     }
+    find_all_peaks(results);
     results.limit_distance = limit_distance(results);
     results.warnings = warnings(results);
     results.left_out = left_out(results);

@@ -17,16 +17,6 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    double max_von_mises(const Body &body, const Eigen::VectorXd &deformation)
-    {
-      double largest = 0.;
-      visit_gradients(body.space(), body.space().quadrature(), deformation,
-                      [&](const Vector2 &, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
-                        largest = std::max(largest, body.material().stress(gradient).von_mises());
-                      });
-      return largest;
-    }
-
     /// Distance of the reported state from the limit of the iteration.
     LimitDistance distance_from(const SchemeResult &limit, const SchemeResult &reached,
                                 const InterfaceProblem &problem, const double energy_norm)
@@ -66,13 +56,21 @@ namespace abut
     result.deformation = body.deformation(contact, result.rigid_displacement);
     result.displacement = result.deformation + body.rigid_motion(result.rigid_displacement) + motion;
     result.energy = body.strain_energy(result.deformation);
-    result.max_von_mises = max_von_mises(body, result.deformation);
     result.reactions = body.reactions(result.deformation, contact);
-    if (!std::isfinite(result.energy) || !std::isfinite(result.max_von_mises))
-      throw ComputationError(
-          "Body " + body.name() +
-          ": energy or stresses have left the range of the machine's numbers; change the units");
     return result;
+  }
+
+  void Simulation::find_all_peaks(Results &results)
+  {
+    for (BodyResult &result : results.bodies)
+    {
+      result.peaks =
+          find_peaks(*result.body, result.displacement, result.deformation, singular_vertices(*result.body));
+      if (!std::isfinite(result.energy) || !std::isfinite(result.peaks.von_mises.value))
+        throw ComputationError(
+            "Body " + result.body->name() +
+            ": energy or stresses have left the range of the machine's numbers; change the units");
+    }
   }
 
   PairResult Simulation::pair_result(const std::size_t index, const Results &results) const
@@ -109,8 +107,13 @@ namespace abut
       return body.body->trace_of(body.displacement)
           .segment(body.body->trace_offset(side.side), static_cast<Index>(2 * side.trace->n_nodes()));
     };
-    result.missed = pair.missed_contact(result.surface->near_contact(pressed), displacement(pair.cut_side()),
-                                        displacement(pair.other_side()));
+    const Eigen::VectorXd of_cut = displacement(pair.cut_side()), of_other = displacement(pair.other_side());
+    result.missed = pair.missed_contact(result.surface->near_contact(pressed), of_cut, of_other);
+    result.nearest = pair.nearest(of_cut, of_other);
+    result.sliding = pair.sliding(of_cut, of_other);
+    for (const std::size_t k : result.parts)
+      if (result.presses(k))
+        result.max_sliding = std::max(result.max_sliding, std::abs(result.sliding[static_cast<Index>(k)]));
     return result;
   }
 
@@ -132,22 +135,6 @@ namespace abut
 
   namespace
   {
-    /// What is said of contact that is smaller than a part.
-    std::string missed_text(const PairResult &result)
-    {
-      const auto deepest = std::max_element(
-          result.missed.begin(), result.missed.end(),
-          [](const MissedContact &a, const MissedContact &b) { return a.overlap < b.overlap; });
-      std::ostringstream text;
-      text.precision(3);
-      text << "Contact " << result.pair->name() << ": the bodies overlap by up to " << deepest->overlap
-           << " at (" << deepest->place.x() << ", " << deepest->place.y()
-           << ") and elsewhere outside the parts in contact; contact smaller than a cell is not resolved, "
-              "use finer "
-              "cells there or let the bodies adapt (Body <name>/Adapt)";
-      return text.str();
-    }
-
     /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
     std::string underestimated_body(const Scene &scene, const std::vector<std::unique_ptr<Body>> &bodies)
     {
@@ -156,47 +143,56 @@ namespace abut
           scene.adaptation.boundary_solution == BoundarySolution::reference_quality)
         return {};
       for (const auto &body : bodies)
-        if (has_singular_vertices(*body))
+        if (!singular_vertices(*body).empty())
           return body->name();
       return {};
     }
   } // namespace
 
-  std::vector<std::string> Simulation::warnings(const Results &results) const
+  Warnings Simulation::scheme_warnings() const
   {
-    std::vector<std::string> sentences;
-    for (const PairResult &pair : results.pairs)
-    {
-      if (!pair.missed.empty())
-        sentences.push_back(missed_text(pair));
-      if (pair.parts.empty())
-        sentences.push_back("Contact " + pair.pair->name() +
-                            ": other bodies lie between its sides everywhere; it carries nothing");
-    }
+    Warnings warnings;
     if (solver_ && solver_->motions() != nullptr)
-      sentences.insert(sentences.end(), solver_->motions()->dropped_loads.begin(),
-                       solver_->motions()->dropped_loads.end());
+      for (const std::string &sentence : solver_->motions()->dropped_loads)
+        warnings.push_back({WarningCode::dropped_load, sentence});
     const DecompositionParameters &decomposition = scene_.decomposition;
     if (decomposition.scheme != SchemeKind::neumann && !scene_.contacts.empty() &&
         (decomposition.relaxation || decomposition.initial_guess != DecompositionParameters().initial_guess))
-      sentences.emplace_back(
-          "Decomposition/Relaxation and Initial guess are for Scheme = neumann; the scheme " +
-          to_string(decomposition.scheme) + " takes no notice of them");
+      warnings.push_back({WarningCode::unused_parameter,
+                          "Decomposition/Relaxation and Initial guess are for Scheme = neumann; the scheme " +
+                              to_string(decomposition.scheme) + " takes no notice of them"});
+    return warnings;
+  }
+
+  Warnings Simulation::estimator_warnings() const
+  {
+    Warnings warnings;
     const bool even_degree = std::any_of(bodies().begin(), bodies().end(),
                                          [](const auto &body) { return body->space().degree() == 2; });
     if (scene_.adaptation.estimator == EstimatorKind::zz && even_degree)
-      sentences.emplace_back(
-          "Adaptation/Estimator = zz sees only a part of the error of degree 2, a tenth to a half "
-          "of it: its marks are good, its values and a Limit are not; spr and kelly see it whole");
+      warnings.push_back(
+          {WarningCode::estimator_sees_a_part,
+           "Adaptation/Estimator = zz sees only a part of the error of degree 2, a tenth to a half "
+           "of it: its marks are good, its values and a Limit are not; spr and kelly see it whole"});
     const std::string body = underestimated_body(scene_, bodies());
     if (!body.empty())
-      sentences.push_back(
-          "Body " + body +
-          " has a vertex where the stress is infinite (a reentrant corner, a support that begins or ends, a "
-          "load that jumps): there the boundary elements of Adaptation/Boundary solution = constant "
-          "traction and finite element trace are about as coarse as the finite elements, the error may be a "
-          "third larger than estimated; trace space and reference quality see it whole");
-    return sentences;
+      warnings.push_back(
+          {WarningCode::estimator_sees_a_part,
+           "Body " + body +
+               " has a vertex where the stress is infinite (a reentrant corner, a support that begins or "
+               "ends, a load that jumps): there the boundary elements of Adaptation/Boundary solution = "
+               "constant traction and finite element trace are about as coarse as the finite elements, the "
+               "error may be a third larger than estimated; trace space and reference quality see it whole"});
+    return warnings;
+  }
+
+  Warnings Simulation::warnings(const Results &results) const
+  {
+    Warnings all;
+    for (const Warnings &some :
+         {input_warnings(), result_warnings(results), scheme_warnings(), estimator_warnings()})
+      all.insert(all.end(), some.begin(), some.end());
+    return all;
   }
 
   std::vector<std::string> Simulation::left_out(const Results &results) const

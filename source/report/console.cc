@@ -20,12 +20,14 @@ namespace abut
 
     void print_bodies(std::ostream &out, const Results &results)
     {
-      Table table = {{"body", "cells", "unknowns", "strain energy", "max von Mises"}};
+      Table table = {
+          {"body", "cells", "unknowns", "strain energy", "max von Mises", "max strain", "max displacement"}};
       for (const BodyResult &result : results.bodies)
       {
         const Counts counts = count(result.body->space());
         table.push_back({result.body->name(), std::to_string(counts.cells), std::to_string(counts.dofs),
-                         short_number(result.energy, 6), short_number(result.max_von_mises)});
+                         short_number(result.energy, 6), short_number(result.peaks.von_mises.value),
+                         percent(result.peaks.strain.value), short_number(result.peaks.displacement.value)});
       }
       out << aligned(table);
     }
@@ -34,11 +36,12 @@ namespace abut
     {
       if (results.pairs.empty())
         return;
-      Table table = {{"contact", "normal force", "peak pressure", "contact length", "penetration"}};
+      Table table = {
+          {"contact", "normal force", "peak pressure", "contact length", "penetration", "max sliding"}};
       for (const PairResult &result : results.pairs)
         table.push_back({result.pair->name(), short_number(result.normal_force, 6),
                          short_number(result.max_pressure, 5), short_number(result.contact_length),
-                         short_number(result.max_penetration, 3)});
+                         short_number(result.max_penetration, 3), short_number(result.max_sliding, 3)});
       out << '\n' << aligned(table);
     }
 
@@ -78,8 +81,6 @@ namespace abut
             << "; peak pressure there " << short_number(limit->peak_pressure, 5) << ".\n";
       if (!results.converged())
         out << "  NOT CONVERGED: " << results.message() << '\n';
-      for (const std::string &warning : results.warnings)
-        out << "  WARNING: " << warning << '\n';
     }
 
     /// One line for each mesh.
@@ -139,6 +140,8 @@ namespace abut
   void print_results(std::ostream &out, const Results &results, const std::string &directory,
                      const double total_seconds)
   {
+    for (const Warning &warning : results.warnings)
+      out << "  WARNING (" << to_string(warning.code) << "): " << warning.text << '\n';
     print_bodies(out, results);
     print_contacts(out, results);
     print_iteration(out, results);

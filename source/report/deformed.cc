@@ -49,28 +49,6 @@ namespace abut
       return outlines;
     }
 
-    std::vector<double> mean_von_mises(const BodyResult &result)
-    {
-      const Space &space = result.body->space();
-      const Material material = result.body->material();
-      std::vector<double> means(space.mesh().triangulation.n_active_cells());
-      double area = 0.;
-      std::size_t visited = 0;
-      visit_gradients(
-          space, space.quadrature(), result.deformation,
-          [&](const Vector2 &, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
-            double &mean = means[visited / space.quadrature().size()];
-            mean += weight * material.stress(gradient).von_mises();
-            area += weight;
-            if (++visited % space.quadrature().size() == 0)
-            {
-              mean /= area;
-              area = 0.;
-            }
-          });
-      return means;
-    }
-
     double scene_size(const std::vector<Outlines> &bodies)
     {
       Vector2 low = bodies.front().points.front(), high = low;
@@ -160,6 +138,28 @@ namespace abut
       }
     }
   } // namespace
+
+  std::vector<double> mean_von_mises(const BodyResult &result)
+  {
+    const Space &space = result.body->space();
+    const Material material = result.body->material();
+    std::vector<double> means(space.mesh().triangulation.n_active_cells());
+    double area = 0.;
+    std::size_t visited = 0;
+    visit_gradients(
+        space, space.quadrature(), result.deformation,
+        [&](const Vector2 &, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
+          double &mean = means[visited / space.quadrature().size()];
+          mean += weight * material.stress(gradient).von_mises();
+          area += weight;
+          if (++visited % space.quadrature().size() == 0)
+          {
+            mean /= area;
+            area = 0.;
+          }
+        });
+    return means;
+  }
 
   DrawnBody undeformed_body(const BodyResult &result)
   {

@@ -70,6 +70,14 @@ namespace abut
       return combs;
     }
 
+    std::string stress_title(const Results &results)
+    {
+      double largest = 0.;
+      for (const BodyResult &body : results.bodies)
+        largest = std::max(largest, body.peaks.von_mises.value);
+      return "von Mises stress, mean of each cell; at a point at most " + short_number(largest);
+    }
+
     ColourRange stress_range(const DrawnScene &scene)
     {
       ColourRange range;
@@ -167,7 +175,7 @@ namespace abut
     const ColourRange range = stress_range(scene);
     write_cells(out, scene, range, frame, box);
     write_combs(out, combs, frame);
-    write_colour_bar(out, range, Vector2(margin + 20., legend_top), "von Mises stress, mean of each cell");
+    write_colour_bar(out, range, Vector2(margin + 20., legend_top), stress_title(results));
     write_pressure_legend(out, results, Vector2(margin + 20. + colour_bar_width + 60., legend_top));
     out << "</svg>\n";
     return out.str();

@@ -41,7 +41,9 @@ namespace abut
               {"dofs", counts.dofs},
               {"boundary_dofs", counts.boundary_dofs},
               {"energy", number(result.energy)},
-              {"max_von_mises", number(result.max_von_mises)},
+              {"max_von_mises", number(result.peaks.von_mises.value)},
+              {"max_strain", number(result.peaks.strain.value)},
+              {"max_displacement", number(result.peaks.displacement.value)},
               {"rigid_displacement",
                result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
               {"min_level", min_level},
@@ -64,6 +66,7 @@ namespace abut
               {"contact_length", number(result.contact_length)},
               {"max_penetration", number(result.max_penetration)},
               {"min_gap", number(result.min_gap)},
+              {"max_sliding", number(result.max_sliding)},
               {"penalty", number(result.pair->penalty())},
               {"coverage", number(result.pair->coverage())},
               {"missed_contact", result.missed.size()}};
@@ -210,7 +213,9 @@ namespace abut
     json["stopped_by"] =
         results.adaptation_end ? results.adaptation_end->stopped_by : to_string(iteration.stopped_by);
     json["message"] = results.message();
-    json["warnings"] = results.warnings;
+    json["warnings"] = Json::array();
+    for (const Warning &warning : results.warnings)
+      json["warnings"].push_back({{"code", to_string(warning.code)}, {"message", warning.text}});
     json["passes"] = results.passes.size();
     json["steps"] = results.steps();
     json["relaxation"] = number(iteration.relaxation);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/deformed.h>
 #include <abut/report/svg.h>
 #include <abut/report/vtu.h>
 
@@ -60,12 +61,37 @@ namespace abut
       return result;
     }
 
-    constexpr unsigned int n_stress_values = 5; // xx, yy, xy, zz, von Mises
+    constexpr unsigned int n_stress_values = 4; // xx, yy, xy, zz
 
     std::array<double, n_stress_values> stress_values(const Stress &s)
     {
-      return {{s.xx, s.yy, s.xy, s.zz, s.von_mises()}};
+      return {{s.xx, s.yy, s.xy, s.zz}};
     }
+
+    /// Adds the von Mises stress of the components at each point: by itself it is no polynomial.
+    class BetterStressPostprocessor : public dealii::DataPostprocessor<2>
+    {
+    public:
+      void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<2> &inputs,
+                                 std::vector<dealii::Vector<double>> &quantities) const override
+      {
+        for (std::size_t point = 0; point < quantities.size(); ++point)
+        {
+          const auto &s = inputs.solution_values[point];
+          for (unsigned int i = 0; i < n_stress_values; ++i)
+            quantities[point][i] = s[i];
+          quantities[point][n_stress_values] = Stress{s[0], s[1], s[2], s[3]}.von_mises();
+        }
+      }
+
+      std::vector<std::string> get_names() const override
+      {
+        return {"better_stress_xx", "better_stress_yy", "better_stress_xy", "better_stress_zz",
+                "better_von_mises"};
+      }
+
+      dealii::UpdateFlags get_needed_update_flags() const override { return dealii::update_values; }
+    };
 
     /// The better stress as discontinuous polynomials of the finite elements' degree: in each cell those
     /// nearest to the values at the points of the comparison.
@@ -102,7 +128,7 @@ namespace abut
         auto stress = better.begin();
         for (const auto &cell : dof_handler_.active_cell_iterators())
         {
-          values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(cell)); // one component of five
+          values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(cell)); // one component of four
           Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
           Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, n_stress_values);
           for (const unsigned int q : values.quadrature_point_indices())
@@ -137,6 +163,8 @@ namespace abut
     const dealii::Vector<double> deformation(result.deformation.begin(), result.deformation.end());
     const dealii::Vector<double> level = levels(space.mesh().triangulation);
     const StressPostprocessor stress(result.body->material());
+    const BetterStressPostprocessor better_stress;
+    std::unique_ptr<BetterStressField> better;
 
     dealii::DataOut<2> data;
     data.attach_dof_handler(space.dof_handler());
@@ -145,16 +173,16 @@ namespace abut
         std::vector<Interpretation>(2, dealii::DataComponentInterpretation::component_is_part_of_vector));
     data.add_data_vector(deformation, stress);
     data.add_data_vector(level, "level", dealii::DataOut<2>::type_cell_data);
+    const std::vector<double> means = mean_von_mises(result);
+    const dealii::Vector<double> mean(means.begin(), means.end());
+    data.add_data_vector(mean, "mean_von_mises", dealii::DataOut<2>::type_cell_data);
     const dealii::Vector<double> eta(result.eta.begin(), result.eta.end());
     if (eta.size() > 0)
       data.add_data_vector(eta, "eta", dealii::DataOut<2>::type_cell_data);
-    std::unique_ptr<BetterStressField> better;
     if (!result.better.empty())
     {
       better = std::make_unique<BetterStressField>(result);
-      data.add_data_vector(better->dof_handler(), better->values(),
-                           {"better_stress_xx", "better_stress_yy", "better_stress_xy", "better_stress_zz",
-                            "better_von_mises"});
+      data.add_data_vector(better->dof_handler(), better->values(), better_stress);
     }
     data.build_patches(space.mapping(), space.degree(), dealii::DataOut<2>::curved_inner_cells);
 

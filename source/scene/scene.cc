@@ -242,6 +242,7 @@ namespace abut
 
       Scene scene;
       scene.file = input.name();
+      scene.repeated = input.repeated();
       parse_bodies(prm, input, preamble, scene);
       parse_rest(prm, preamble, scene);
       check_contacts(scene);

@@ -116,7 +116,7 @@ TEST(Adaptation, ContactSmallerThanACellIsNotSilentlyMissedOnAFixedMesh)
 {
   const Answer answer = run_scene("two-layers", contact_in_a_cell("0.5"));
   EXPECT_GT(answer.summary["contacts"][0]["missed_contact"].get<int>(), 0);
-  EXPECT_EQ(answer.summary["warnings"].size(), 1u);
+  EXPECT_EQ(warning_codes(answer).count("missed-contact"), 1u);
   EXPECT_NE(answer.err.find(" at (0.5"), std::string::npos) << answer.err; // the place
   EXPECT_NE(answer.err.find("contact smaller than a cell"), std::string::npos) << answer.err;
 }

@@ -88,6 +88,14 @@ namespace abut::testing
     EXPECT_FALSE(std::filesystem::exists(answer.directory)) << "something was written";
   }
 
+  std::multiset<std::string> warning_codes(const Answer &answer)
+  {
+    std::multiset<std::string> codes;
+    for (const auto &warning : answer.summary["warnings"])
+      codes.insert(warning["code"].get<std::string>());
+    return codes;
+  }
+
   nlohmann::json contact(const Answer &answer, const std::string &name)
   {
     for (const auto &pair : answer.summary["contacts"])

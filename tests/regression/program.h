@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ namespace abut::testing
 
   /// A refusal as it should be: status 1, one line that contains all phrases, nothing written.
   void expect_refused(const Answer &answer, const std::vector<std::string> &phrases);
+
+  /// The codes of the summary's warnings.
+  std::multiset<std::string> warning_codes(const Answer &answer);
 
   /// What the summary says of a contact; null, with a failure, where there is none of that name.
   nlohmann::json contact(const Answer &answer, const std::string &name);

@@ -107,6 +107,7 @@ namespace
                 array.get<std::string>("<xmlattr>.NumberOfComponents", "1");
     EXPECT_EQ(arrays, (std::map<std::string, std::string>{{"displacement", "3"},
                                                           {"level", "1"},
+                                                          {"mean_von_mises", "1"},
                                                           {"stress_xx", "1"},
                                                           {"stress_xy", "1"},
                                                           {"stress_yy", "1"},

@@ -24,12 +24,12 @@ namespace
                        "time_s", "peak_memory_mb", "left_out", "message", "steps", "relaxation", "iteration",
                        "counters", "versions", "warnings", "pass_table"});
     ASSERT_EQ(json["bodies"].size(), 2u);
-    expect_keys(json["bodies"][0],
-                {"name", "cells", "dofs", "boundary_dofs", "energy", "max_von_mises", "min_level",
-                 "max_level", "h_max", "regularity", "reactions", "equilibrium_residual", "moment_residual"});
+    expect_keys(json["bodies"][0], {"name", "cells", "dofs", "boundary_dofs", "energy", "max_von_mises",
+                                    "max_strain", "max_displacement", "min_level", "max_level", "h_max",
+                                    "regularity", "reactions", "equilibrium_residual", "moment_residual"});
     ASSERT_EQ(json["contacts"].size(), 1u);
     expect_keys(json["contacts"][0], {"name", "force", "normal_force", "max_pressure", "contact_length",
-                                      "max_penetration", "min_gap", "penalty", "coverage"});
+                                      "max_penetration", "min_gap", "max_sliding", "penalty", "coverage"});
     expect_keys(json["error"], {"discretisation", "penalty", "iteration", "total", "norm", "stress"});
     expect_keys(json["true_error"], {"energy", "stress", "pressure", "force", "norms"});
     expect_keys(json["time_s"], {"total", "mesh", "assemble", "factorise", "solve", "interface", "bem",
@@ -60,6 +60,58 @@ namespace
     EXPECT_EQ(json["contacts"][0]["force"], Json::array({0., -3.5}));
     EXPECT_NEAR(json["contacts"][0]["coverage"], 1., 1e-14);
     EXPECT_EQ(json["counters"]["bodies"]["upper"]["factorisations"], 1);
+  }
+
+  TEST_F(ReportedScene, WarningsHaveACodeAndASentence)
+  {
+    EXPECT_EQ(summary(results, 2.)["warnings"], Json::array());
+    results.warnings = {{WarningCode::narrow_contact, "too narrow"}};
+    EXPECT_EQ(summary(results, 2.)["warnings"],
+              Json::array({Json{{"code", "narrow-contact"}, {"message", "too narrow"}}}));
+  }
+
+  TEST_F(ReportedScene, WarningsStandBeforeTheTables)
+  {
+    results.warnings = {{WarningCode::narrow_contact, "too narrow"}};
+    std::ostringstream out;
+    print_results(out, results, "here", 2.);
+    EXPECT_LT(out.str().find("(narrow-contact): too narrow"), out.str().find("max von Mises"));
+  }
+
+  TEST_F(ReportedScene, PeaksOfAUniformStrain)
+  {
+    // u = (a x + c y, c x + b y), moved by (3, 4) in all.
+    const double a = -2e-3, b = 1e-3, c = 2e-3;
+    const Body &body = *bodies[1];
+    const Nodes nodes = all_nodes(body.space());
+    Eigen::VectorXd deformation(body.space().n_dofs()), displacement(body.space().n_dofs());
+    for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
+    {
+      const Vector2 &x = nodes.places[i], u(a * x.x() + c * x.y(), c * x.x() + b * x.y());
+      for (const int k : {0, 1})
+      {
+        deformation[nodes.dofs[i][static_cast<std::size_t>(k)]] = u[k];
+        displacement[nodes.dofs[i][static_cast<std::size_t>(k)]] = u[k] + 3. + k;
+      }
+    }
+    const BodyPeaks peaks = find_peaks(body, displacement, deformation, {});
+    EXPECT_NEAR(peaks.strain.value, .5e-3 + std::hypot(1.5e-3, c), 1e-15); // the negative one is larger
+    EXPECT_EQ(peaks.regular_strain.value, peaks.strain.value);
+    Eigen::Matrix2d gradient;
+    gradient << a, c, c, b;
+    const double stress = body.material().stress(gradient).von_mises();
+    EXPECT_NEAR(peaks.von_mises.value, stress, 1e-12 * stress);
+    EXPECT_NEAR(peaks.displacement.value, std::hypot(3. + a + c, 4. + b + c), 1e-14);
+    EXPECT_EQ(peaks.displacement.place, Vector2(1., 1.));
+    // All Gauss points of the one cell lie within a hundredth of the diagonal only of what is put on them.
+    std::vector<Vector2> singular;
+    visit_gradients(body.space(), body.space().quadrature(), deformation,
+                    [&](const Vector2 &place, double, const Vector2 &, const Eigen::Matrix2d &) {
+                      singular.push_back(place);
+                    });
+    EXPECT_EQ(find_peaks(body, displacement, deformation, singular).regular_strain.value, 0.);
+    EXPECT_EQ(find_peaks(body, displacement, deformation, {{0., 0.}}).regular_strain.value,
+              peaks.strain.value);
   }
 
   TEST_F(ReportedScene, OnlyABoundIsPrintedAsOne)

@@ -64,6 +64,6 @@ namespace abut
     std::vector<NewNode> new_nodes_;
   };
 
-  /// Whether a body has a vertex that GradedSides calls singular.
-  bool has_singular_vertices(const Body &body);
+  /// The places of those vertices of a body that GradedSides calls singular.
+  std::vector<Vector2> singular_vertices(const Body &body);
 } // namespace abut

@@ -16,6 +16,13 @@ namespace abut
     double overlap; ///< largest of the piece, there
   };
 
+  /// Where the sides are nearest to each other.
+  struct NearestPoint
+  {
+    Vector2 place = Vector2::Zero(); ///< on the cut side
+    double gap = std::numeric_limits<double>::infinity();
+  };
+
   /**
    * Two sides that may touch, as a share of a surface (see ContactSurface): gap, penalty, and what the
    * surface's parts see of both sides. Vectors over parts have an entry for every part of the surface, zero
@@ -70,6 +77,16 @@ namespace abut
     std::vector<MissedContact> missed_contact(const std::vector<bool> &near,
                                               const Eigen::VectorXd &cut_displacement,
                                               const Eigen::VectorXd &other_displacement) const;
+
+    /// The smallest gap at a point of the sides, under trace displacements of the two.
+    NearestPoint nearest(const Eigen::VectorXd &cut_displacement,
+                         const Eigen::VectorXd &other_displacement) const;
+
+    /// By how much the points opposite each part move on along the cut side (counter-clockwise around its
+    /// body) while its own points stay: the mean of every part, zero where it does not belong to the pair.
+    /// As the sides run against each other, the part moves by as much along the other side.
+    Eigen::VectorXd sliding(const Eigen::VectorXd &cut_displacement,
+                            const Eigen::VectorXd &other_displacement) const;
 
     /// The deepest overlap at a point that supports hold on both sides, if it is more than round-off: no
     /// pressure is defined there.

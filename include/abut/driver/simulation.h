@@ -4,6 +4,7 @@
 #include <abut/decomposition/interface_solver.h>
 #include <abut/driver/estimation.h>
 #include <abut/driver/model.h>
+#include <abut/driver/validity.h>
 #include <abut/report/step_estimate.h>
 
 #include <chrono>
@@ -45,8 +46,12 @@ namespace abut
     void describe(std::ostream &out) const;
 
     /// Throws UserError for a body whose supports leave a rigid motion free which the scheme cannot find, or
-    /// which contact cannot hold, and where supports press both bodies of a pair into each other.
+    /// which contact cannot hold or pushes away, and where supports press both bodies of a pair into each
+    /// other.
     void check_supports() const;
+
+    /// What is to be said of the input, before anything is solved.
+    Warnings input_warnings() const { return abut::input_warnings(scene_, *model_); }
 
     /**
      * Solves; a second call goes on from the last mesh. Every pass solves the decomposition to
@@ -63,6 +68,8 @@ namespace abut
 
   private:
     void check_held_points() const;
+    /// As far as the bodies move without deforming.
+    void check_pushed_bodies(const MotionTerms &motions) const;
     /// Solves the decomposition on the present mesh and estimates; returns what the next mesh is to start
     /// from.
     CarriedState solve_pass(const std::optional<CarriedState> &carried, const RunObserver &observer,
@@ -104,9 +111,13 @@ namespace abut
 
     BodyResult body_result(std::size_t index, const Results &results) const;
     PairResult pair_result(std::size_t index, const Results &results) const;
+    /// Throws ComputationError where they are not finite.
+    static void find_all_peaks(Results &results);
     /// What a stop by the increment rule is worth; empty where the limit is not at hand.
     std::optional<LimitDistance> limit_distance(const Results &results) const;
-    std::vector<std::string> warnings(const Results &results) const;
+    Warnings scheme_warnings() const;
+    Warnings estimator_warnings() const;
+    Warnings warnings(const Results &results) const;
     /// What this scene did not need.
     std::vector<std::string> left_out(const Results &results) const;
 

@@ -7,6 +7,9 @@
 
 namespace abut
 {
+  /// The von Mises stress of every cell, the mean over it.
+  std::vector<double> mean_von_mises(const BodyResult &result);
+
   /// A body as it is drawn.
   struct DrawnBody
   {

@@ -8,6 +8,8 @@
 #include <abut/mesh/quality.h>
 #include <abut/report/counts.h>
 #include <abut/report/estimator_quality.h>
+#include <abut/report/peaks.h>
+#include <abut/report/warning.h>
 #include <abut/scene/scene.h>
 
 #include <limits>
@@ -42,7 +44,7 @@ namespace abut
     Eigen::VectorXd deformation;    ///< the same less the body's rigid motion: stresses come from this one
     Eigen::VectorXd contact_forces; ///< a trace vector; that the estimated error refers to
     double energy = 0.;             ///< strain energy
-    double max_von_mises = 0.;      ///< over the Gauss points
+    BodyPeaks peaks;
     double rigid_displacement = 0.; ///< of the side that carries a given resultant
     Reactions reactions;
     Eigen::VectorXd eta;        ///< of each cell, where estimated
@@ -64,6 +66,9 @@ namespace abut
     double contact_length = 0.;      ///< sum of D_k over the parts that press
     double max_penetration = 0.;     ///< largest -g_k, 0 without contact
     double min_gap = 0.;             ///< smallest g_k
+    NearestPoint nearest;            ///< smallest gap at a point
+    Eigen::VectorXd sliding;         ///< mean of every part, see ContactPair::sliding
+    double max_sliding = 0.;         ///< largest size over the parts that press
     /// Overlap far from any part that presses: contact smaller than a part.
     std::vector<MissedContact> missed;
 
@@ -137,7 +142,7 @@ namespace abut
     bool compliance_is_dense = false;
     TrueErrors true_errors;
     Times times;
-    std::vector<std::string> warnings; ///< one sentence each: what the user should know of the results
+    std::vector<Warning> warnings;
     std::vector<std::string> left_out; ///< what this scene did not need
 
     bool converged() const

@@ -11,11 +11,12 @@ namespace abut
   /**
    * A body's solution for ParaView (VTU, zlib), on the undeformed shape: the vector `displacement` ("Warp By
    * Vector" shows the deformed shape at any scale), `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz` and
-   * `von_mises` from the gradient in each cell (discontinuous, tension positive), and the refinement `level`
-   * of the cells. Where an error was estimated, `eta` of each cell and, but with kelly, the better stress
-   * that the finite elements' was compared with: `better_stress_xx`, ..., `better_von_mises` (with fe-be that
-   * of the boundary elements), polynomials of the elements' degree in each cell. Quadrilaterals of degree p
-   * are cut into p x p, which follow curved sides; triangles of degree 2 are VTK's quadratic ones.
+   * `von_mises` from the gradient in each cell (discontinuous, tension positive; the largest `von_mises` is
+   * that of the tables, BodyPeaks), of each cell its refinement `level` and `mean_von_mises`, as in the
+   * picture. Where an error was estimated, `eta` of each cell and, but with kelly, the better stress that the
+   * finite elements' was compared with: `better_stress_xx`, ... (with fe-be that of the boundary elements),
+   * polynomials of the elements' degree in each cell, and `better_von_mises` of them. Quadrilaterals of
+   * degree p are cut into p x p, which follow curved sides; triangles of degree 2 are VTK's quadratic ones.
    */
   std::string vtu(const BodyResult &result);
 

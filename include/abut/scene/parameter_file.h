@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/scene/repeated_parameters.h>
+
 #include <string>
 #include <vector>
 
@@ -25,6 +27,9 @@ namespace abut
      * which names the line or the override, but not the file.
      */
     void parse_into(dealii::ParameterHandler &prm, bool skip_undefined) const;
+
+    /// What the file itself sets more than once; overrides are meant to.
+    std::vector<RepeatedParameter> repeated() const { return repeated_parameters(text_); }
 
     const std::string &name() const { return name_; }
     /// Where relative names in the file begin.

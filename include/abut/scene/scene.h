@@ -6,6 +6,7 @@
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
 #include <abut/scene/reference_parameters.h>
+#include <abut/scene/repeated_parameters.h>
 #include <abut/scene/study_parameters.h>
 
 #include <iosfwd>
@@ -25,6 +26,7 @@ namespace abut
     AdaptationParameters adaptation;
     ReferenceParameters reference;
     StudyParameters study;
+    std::vector<RepeatedParameter> repeated; ///< in the file
     std::string parameters; ///< all parameters used, as a file that can be run again from any folder: mesh
                             ///< files by their absolute names, the output directory as it was used
 

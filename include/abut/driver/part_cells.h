@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/contact/contact_surface.h>
+
+namespace abut
+{
+  /// The cells that lie opposite each other along a part of a surface, by their lengths there.
+  struct PartCell
+  {
+    double shorter = 0.; ///< of both sides; at least the part itself, where the coarser side carries
+    double longer = 0.;
+  };
+
+  /// Of every part; of several cells along a part the longest.
+  std::vector<PartCell> part_cells(const ContactSurface &surface);
+} // namespace abut

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /// A parameter that a file sets more than once: the last line counts.
+  struct RepeatedParameter
+  {
+    std::string name; ///< with its sections: "Body steel/Size"
+    unsigned int first_line = 0, last_line = 0;
+  };
+
+  /// Those of a parameter file's text, each once. Sections may be entered more than once.
+  std::vector<RepeatedParameter> repeated_parameters(const std::string &text);
+} // namespace abut

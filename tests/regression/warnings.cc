@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What the program says where its model or its mesh ends: each warning has a scene that triggers it and a
+// neighbour that does not; both are told by the code.
+
+#include <abut/report/warning.h>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+using namespace abut::testing;
+
+namespace
+{
+  using Overrides = std::vector<std::string>;
+
+  /// A run of a file of the project with overrides.
+  struct SceneRun
+  {
+    std::string file;
+    Overrides overrides;
+  };
+
+  struct Neighbours
+  {
+    std::string code;
+    SceneRun warned, quiet;
+  };
+
+  std::ostream &operator<<(std::ostream &out, const Neighbours &neighbours)
+  {
+    return out << neighbours.code;
+  }
+
+  Answer answer_of(const SceneRun &given)
+  {
+    std::vector<std::string> arguments = {
+        std::filesystem::path(given.file).is_absolute() ? given.file : project_file(given.file)};
+    for (const std::string &override : given.overrides)
+      arguments.insert(arguments.end(), {"--set", override});
+    return abut::testing::run(arguments);
+  }
+
+  bool warns(const Answer &answer, const std::string &code)
+  {
+    const auto codes = warning_codes(answer);
+    return codes.count(code) > 0;
+  }
+
+  const std::string slide = "tests/data/cases/slide.prm",
+                    never_touches = "tests/data/cases/never-touches.prm",
+                    v_groove_slave = "tests/data/cases/v-groove-slave.prm",
+                    stiff_slave = "tests/data/cases/stiff-slave.prm",
+                    fine_slave = "tests/data/cases/fine-slave.prm",
+                    corner_on_face = "tests/data/cases/corner-on-face-tilted.prm",
+                    patch = "prm/patch-test.prm";
+
+  /// Two layers, pressed uniformly: without a penalty the strain is half of the approach.
+  SceneRun pressed(const std::string &approach)
+  {
+    return {patch, {"Contact interface/Penalty coefficient=0", "Constants/Values=" + approach}};
+  }
+
+  /// A block of side 10 on a base of 30, moved aside.
+  SceneRun moved(const std::string &distance, const Overrides &cells = {})
+  {
+    Overrides overrides = cells;
+    overrides.push_back("Body top/Conditions=top: displacement: " + distance + ", -0.01");
+    return {slide, overrides};
+  }
+
+  /// A block between plates, a little askew: they nearly slide on each other.
+  SceneRun weighing_block(const std::string &degrees)
+  {
+    return {"prm/disc-between-plates.prm",
+            {"Body disc/Shape=rectangle", "Body disc/Size=2, 2", "Body disc/Shift=-1, -1",
+             "Body disc/Body force=0, -1", "Body disc/Rotation angle=" + degrees,
+             "Body upper/Conditions=top: displacement: 0, 0", "Contact below/Master=disc:bottom",
+             "Contact above/Master=disc:top"}};
+  }
+
+  const std::string rollers = "left: normal displacement: 0; bottom: normal displacement: 0";
+  const Overrides fine_cells = {"Body top/Cells=40, 10", "Body base/Cells=60, 20"}, // cells of 1/4 and 1/2
+      coarse_cells = {"Body top/Cells=5, 5", "Body base/Cells=10, 5"};              // of 2 and 3
+
+  const std::vector<Neighbours> all_neighbours = {
+      {"large-strain", pressed("0.101"), pressed("0.099")},
+      {"large-overlap",
+       {patch, {"Contact interface/Gap=-0.0201"}},
+       {patch, {"Contact interface/Gap=-0.0199"}}},
+      {"sideways-displacement", moved("0.55", fine_cells), moved("0.45", fine_cells)}, // a cell
+      {"sideways-displacement", moved("1.1", coarse_cells),
+       moved("0.9", coarse_cells)}, // a tenth of the side
+      {"side-leaves-master", moved("20.5"), moved("19.5")},
+      {"side-leaves-master", moved("-0.3"), moved("-0.2")}, // beyond the middle of the last part
+      {"nothing-touches", {never_touches, {}}, {never_touches, {"Body steel/Shift=0, 20"}}},
+      {"narrow-contact",
+       {v_groove_slave, {}},
+       {v_groove_slave,
+        {"Body disc/Young modulus=1e3", "Body left/Young modulus=1e3", "Body right/Young modulus=1e3",
+         "Body disc/Body force=3, -3"}}},
+      {"rough-pressure", {fine_slave, {"Contact c/Multipliers=slave"}}, {fine_slave, {}}}, // twice as fine
+      {"rough-pressure", {stiff_slave, {"Contact interface/Multipliers=slave"}}, {stiff_slave, {}}},
+      {"singular-stress",
+       {patch, {"Body lower/Conditions=bottom: displacement: 0, 0"}},
+       {patch, {"Body lower/Conditions=" + rollers}}},
+      {"missed-contact",
+       {corner_on_face, {}},
+       {corner_on_face, {"Body punch/Cells=160, 160", "Body block/Cells=240, 80"}}},
+      {"dropped-load", weighing_block("0.005"), weighing_block("0")},
+      {"load-on-support",
+       {patch, {"Body lower/Conditions=" + rollers + "; bottom: pressure: 3"}},
+       {patch, {"Body lower/Conditions=" + rollers + "; bottom: traction: 3e-3, 0"}}},
+      {"unused-parameter",
+       {patch, {"Decomposition/Scheme=newton", "Decomposition/Relaxation=0.5"}},
+       {patch, {"Decomposition/Scheme=neumann", "Decomposition/Relaxation=0.05"}}},
+      {"estimator-sees-a-part",
+       {patch, {"Adaptation/Estimator=zz", "Discretisation/Degree=2"}},
+       {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=2"}}}};
+
+  class Warned : public ::testing::TestWithParam<Neighbours>
+  {};
+
+  TEST_P(Warned, AndItsNeighbourIsNot)
+  {
+    const Answer warned = answer_of(GetParam().warned), quiet = answer_of(GetParam().quiet);
+    ASSERT_EQ(warned.status, 0) << warned.err;
+    ASSERT_EQ(quiet.status, 0) << quiet.err;
+    EXPECT_TRUE(warns(warned, GetParam().code)) << warned.err;
+    EXPECT_FALSE(warns(quiet, GetParam().code)) << quiet.err;
+  }
+
+  INSTANTIATE_TEST_SUITE_P(Codes, Warned, ::testing::ValuesIn(all_neighbours), [](const auto &parameter) {
+    std::string name = parameter.param.code;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name + "_" + std::to_string(parameter.index);
+  });
+
+  TEST(Warnings, APressureInMegapascalsForPascals)
+  {
+    const auto pressed_by = [](const std::string &pressure) {
+      return warning_codes(answer_of(
+          SceneRun{patch,
+                   {"Body lower/Conditions=" + rollers, "Body upper/Young modulus=2.1e5",
+                    "Body lower/Young modulus=2.1e5",
+                    "Body upper/Conditions=left: normal displacement: 0; top: pressure: " + pressure}}));
+    };
+    EXPECT_EQ(pressed_by("100"), std::multiset<std::string>{});
+    EXPECT_EQ(pressed_by("1e8"), (std::multiset<std::string>{"large-strain", "large-strain"}));
+  }
+
+  TEST(Warnings, AParameterThatIsSetTwice)
+  {
+    const std::string once = read_file(project_file(patch));
+    const std::string size = "  set Shift         = 0, 1\n";
+    std::string twice = once;
+    twice.insert(twice.find(size), "  set  Size = 2, 1 # too wide\n");
+    ASSERT_EQ(warning_codes(answer_of(SceneRun{temporary_file("once.prm", once), {}})).size(), 0u);
+    const Answer answer = answer_of(SceneRun{temporary_file("twice.prm", twice), {}});
+    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{"repeated-parameter"});
+  }
+
+  TEST(Warnings, TheInputIsCheckedBeforeAnythingIsSolved)
+  {
+    const auto check = [](const std::string &gap) {
+      return abut::testing::run({project_file(patch), "--check", "--set", "Contact interface/Gap=" + gap});
+    };
+    EXPECT_NE(check("-0.03").err.find("large-overlap"), std::string::npos);
+    EXPECT_EQ(check("0").err, "");
+  }
+
+  /// A peak at a reentrant corner, and one at the edge of a punch: those scenes are about them.
+  const std::map<std::string, std::multiset<std::string>> meant = {{"corner", {"singular-stress"}},
+                                                                   {"flat-punch", {"singular-stress"}}};
+
+  TEST(Warnings, NoFalseAlarmInTheProjectsScenes)
+  {
+    std::size_t n_scenes = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(project_file("prm")))
+    {
+      const std::string scene = entry.path().stem().string();
+      const Answer answer = run_scene(scene);
+      ASSERT_EQ(answer.status, 0) << answer.err;
+      const auto allowed = meant.find(scene);
+      EXPECT_EQ(warning_codes(answer),
+                allowed == meant.end() ? std::multiset<std::string>{} : allowed->second)
+          << answer.err;
+      ++n_scenes;
+    }
+    EXPECT_GE(n_scenes, 17u);
+  }
+
+  TEST(Warnings, TheDocumentationListsEveryCode)
+  {
+    const std::string page = read_file(project_file("doc/warnings.md"));
+    for (const abut::WarningCode code : abut::all_warning_codes())
+      EXPECT_NE(page.find("`" + to_string(code) + "`"), std::string::npos) << to_string(code);
+  }
+
+  TEST(Warnings, EveryCodeHasItsNeighbours)
+  {
+    // hidden-pair: contact_shapes.cc; repeated-parameter: above.
+    std::set<std::string> tested = {"hidden-pair", "repeated-parameter"};
+    for (const Neighbours &neighbours : all_neighbours)
+      tested.insert(neighbours.code);
+    for (const abut::WarningCode code : abut::all_warning_codes())
+      EXPECT_EQ(tested.count(to_string(code)), 1u) << to_string(code);
+    EXPECT_EQ(tested.size(), abut::all_warning_codes().size());
+  }
+} // namespace
