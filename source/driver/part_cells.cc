@@ -5,6 +5,14 @@
 
 namespace abut
 {
+  bool is_at_symmetry(const ContactSurface &surface, const std::size_t part)
+  {
+    const Part &place = surface.partition().parts()[part];
+    const Trace &side = *surface.cut_sides()[place.side];
+    const Segment &segment = side.segments()[place.segment];
+    return side.is_plane_of_symmetry(segment, 0) || side.is_plane_of_symmetry(segment, 1);
+  }
+
   std::vector<PartCell> part_cells(const ContactSurface &surface)
   {
     std::vector<PartCell> cells;

@@ -52,20 +52,6 @@ namespace abut
       return runs;
     }
 
-    /// Whether a run begins or ends at a plane of symmetry, beyond which it goes on.
-    bool is_half(const PairResult &pair, const Run &run)
-    {
-      for (const std::size_t k : {run.front(), run.back()})
-      {
-        const Part &part = pair.part(k);
-        const Trace &side = *pair.surface->cut_sides()[part.side];
-        const Segment &segment = side.segments()[part.segment];
-        if (side.is_plane_of_symmetry(segment, 0) || side.is_plane_of_symmetry(segment, 1))
-          return true;
-      }
-      return false;
-    }
-
     /// Fewer have no shape: the peak is that of a part. Two cells of a polygon for a curve are a little
     /// shorter.
     constexpr double fewest_cells = 2. * (1. - 1e-3);
@@ -82,8 +68,8 @@ namespace abut
             length += pair.part(k).length;
             cell = std::max(cell, cells[k].shorter);
           }
-          if (is_half(pair, run))
-            length *= 2.;
+          if (is_at_symmetry(*pair.surface, run.front()) || is_at_symmetry(*pair.surface, run.back()))
+            length *= 2.; // it goes on beyond the plane
           if (length >= fewest_cells * cell)
             continue;
           const Vector2 &place = pair.part(run.front()).place;

@@ -3,6 +3,7 @@
 // What a pass tells: results, estimates, true errors, and whether it is the last one.
 
 #include <abut/decomposition/neumann.h>
+#include <abut/driver/bound_conditions.h>
 #include <abut/driver/quality.h>
 #include <abut/driver/simulation.h>
 #include <abut/driver/stopwatch.h>
@@ -124,6 +125,7 @@ namespace abut
         record.total = bound;
       else if (std::isfinite(record.iteration))
         record.total = std::hypot(*record.discretisation, record.iteration);
+      record.estimate_reason = why_no_bound(scene_, results);
     }
     if (exact_)
     {

@@ -69,6 +69,7 @@ namespace abut
             {"error_discretisation", number(pass.discretisation)},
             {"error_iteration", number(pass.iteration)},
             {"error_total", number(pass.total)},
+            {"error_is_bound", pass.error_is_bound()},
             {"error_stress", number(pass.stress)},
             {"true_error_energy", number(pass.true_errors.energy)},
             {"true_error_stress", number(pass.true_errors.stress)},

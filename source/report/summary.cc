@@ -80,6 +80,8 @@ namespace abut
               {"penalty", nullptr},
               {"iteration", number(results.iteration.iteration_error)},
               {"total", number(pass.total)},
+              {"error_is_bound", pass.error_is_bound()},
+              {"estimate_reason", pass.estimate_reason},
               {"stress", number(pass.stress)},
               {"eta_max", number(pass.eta_max)},
               {"effectivity", number(pass.effectivity())},

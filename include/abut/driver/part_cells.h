@@ -12,6 +12,9 @@ namespace abut
     double longer = 0.;
   };
 
+  /// Whether the cut side ends at a plane of symmetry within a part, or next to it.
+  bool is_at_symmetry(const ContactSurface &surface, std::size_t part);
+
   /// Of every part; of several cells along a part the longest.
   std::vector<PartCell> part_cells(const ContactSurface &surface);
 } // namespace abut

@@ -103,6 +103,7 @@ namespace abut
     std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
     std::optional<double> total;          ///< root of the squares of discretisation and iteration; with fe-be
                                           ///< the bound of both together (Estimation::bound)
+    std::string estimate_reason;          ///< why `total` is an estimate and no bound; empty where it is one
     TrueErrors true_errors;
     std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
     std::optional<double> effectivity_total; ///< total by true_errors.energy
@@ -114,6 +115,7 @@ namespace abut
     PassCost cost;
     double seconds = 0.; ///< since the run began, without comparing with the exact solution
 
+    bool error_is_bound() const { return total && estimate_reason.empty(); }
     /// Estimated stress error by that against sigma*.
     std::optional<double> effectivity() const
     {
