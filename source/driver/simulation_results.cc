@@ -2,6 +2,7 @@
 //
 // What a solved interface means for bodies and pairs.
 
+#include <abut/adaptation/estimator_worth.h>
 #include <abut/adaptation/graded_sides.h>
 #include <abut/driver/simulation.h>
 #include <abut/user_error.h>
@@ -164,16 +165,34 @@ namespace abut
     return warnings;
   }
 
+  namespace
+  {
+    /// That an estimator is far from the true error with some body's degree; empty where it is not.
+    std::string rough_estimator(const EstimatorKind kind, const std::vector<std::unique_ptr<Body>> &bodies)
+    {
+      for (const auto &body : bodies)
+      {
+        const unsigned int degree = body->space().degree();
+        const auto worth = estimator_worth(kind, degree);
+        if (!worth || !worth->is_rough())
+          continue;
+        std::ostringstream text;
+        text << "Adaptation/Estimator = " << to_string(kind) << " has been " << worth->least << " to "
+             << worth->most << " times the true error with elements of degree " << degree << " (body "
+             << body->name()
+             << "): its marks are good, its values and a Limit are not; fe-be has a bound, kelly is nearer";
+        return text.str();
+      }
+      return "";
+    }
+  } // namespace
+
   Warnings Simulation::estimator_warnings() const
   {
     Warnings warnings;
-    const bool even_degree = std::any_of(bodies().begin(), bodies().end(),
-                                         [](const auto &body) { return body->space().degree() == 2; });
-    if (scene_.adaptation.estimator == EstimatorKind::zz && even_degree)
-      warnings.push_back(
-          {WarningCode::estimator_sees_a_part,
-           "Adaptation/Estimator = zz sees only a part of the error of degree 2, a tenth to a half "
-           "of it: its marks are good, its values and a Limit are not; spr and kelly see it whole"});
+    if (const std::string sentence = rough_estimator(scene_.adaptation.estimator, bodies());
+        !sentence.empty())
+      warnings.push_back({WarningCode::rough_estimator, sentence});
     const std::string body = underestimated_body(scene_, bodies());
     if (!body.empty())
       warnings.push_back(

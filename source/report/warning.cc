@@ -10,7 +10,8 @@ namespace abut
         WarningCode::side_leaves_master, WarningCode::large_overlap,    WarningCode::nothing_touches,
         WarningCode::narrow_contact,     WarningCode::rough_pressure,   WarningCode::missed_contact,
         WarningCode::hidden_pair,        WarningCode::dropped_load,     WarningCode::load_on_support,
-        WarningCode::repeated_parameter, WarningCode::unused_parameter, WarningCode::estimator_sees_a_part};
+        WarningCode::repeated_parameter, WarningCode::unused_parameter, WarningCode::estimator_sees_a_part,
+        WarningCode::rough_estimator};
     return all;
   }
 
@@ -48,6 +49,8 @@ namespace abut
       return "unused-parameter";
     case WarningCode::estimator_sees_a_part:
       return "estimator-sees-a-part";
+    case WarningCode::rough_estimator:
+      return "rough-estimator";
     }
     return "unknown";
   }

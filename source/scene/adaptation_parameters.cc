@@ -65,6 +65,11 @@ namespace abut
     }
   } // namespace
 
+  std::string to_string(const EstimatorKind estimator)
+  {
+    return word_of(estimators, estimator);
+  }
+
   void AdaptationParameters::declare(dealii::ParameterHandler &prm)
   {
     namespace Patterns = dealii::Patterns;

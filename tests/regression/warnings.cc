@@ -119,8 +119,16 @@ namespace
        {patch, {"Decomposition/Scheme=newton", "Decomposition/Relaxation=0.5"}},
        {patch, {"Decomposition/Scheme=neumann", "Decomposition/Relaxation=0.05"}}},
       {"estimator-sees-a-part",
+       {"prm/corner.prm",
+        {"Adaptation/Estimator=fe-be", "Adaptation/Maximum passes=1",
+         "Adaptation/Boundary solution=constant traction"}},
+       {"prm/corner.prm", {"Adaptation/Estimator=fe-be", "Adaptation/Maximum passes=1"}}},
+      {"rough-estimator",
        {patch, {"Adaptation/Estimator=zz", "Discretisation/Degree=2"}},
-       {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=2"}}}};
+       {patch, {"Adaptation/Estimator=kelly", "Discretisation/Degree=2"}}},
+      {"rough-estimator",
+       {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=3"}},
+       {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=1"}}}};
 
   class Warned : public ::testing::TestWithParam<Neighbours>
   {};

@@ -24,7 +24,8 @@ namespace abut
     load_on_support,
     repeated_parameter,
     unused_parameter,
-    estimator_sees_a_part
+    estimator_sees_a_part,
+    rough_estimator
   };
 
   /// All of them, in the order above.

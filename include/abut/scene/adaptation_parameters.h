@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <string>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -16,6 +18,9 @@ namespace abut
     spr,   ///< superconvergent patch recovery with the known boundary tractions
     fe_be  ///< the paper's: against boundary elements on the trace of the mesh
   };
+
+  /// The word of the parameter file.
+  std::string to_string(EstimatorKind estimator);
 
   /// How the boundary elements of `fe_be` stand to finite elements of degree p.
   enum class BoundarySolution
