@@ -4,6 +4,7 @@
 
 #include <abut/adaptation/graded_sides.h>
 #include <abut/driver/simulation.h>
+#include <abut/elasticity/stress_field.h>
 #include <abut/user_error.h>
 
 #include <algorithm>
@@ -20,10 +21,10 @@ namespace abut
     double max_von_mises(const Body &body, const Eigen::VectorXd &deformation)
     {
       double largest = 0.;
-      visit_gradients(body.space(), body.space().quadrature(), deformation,
-                      [&](const Vector2 &, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
-                        largest = std::max(largest, body.material().stress(gradient).von_mises());
-                      });
+      StressField(body, deformation)
+          .visit(body.space().quadrature(), [&](const Vector2 &, double, const Stress &stress) {
+            largest = std::max(largest, stress.von_mises());
+          });
       return largest;
     }
 

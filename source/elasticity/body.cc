@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/elasticity/assembly.h>
 #include <abut/elasticity/body.h>
+#include <abut/elasticity/projected_divergence.h>
 #include <abut/user_error.h>
 
 #include <Eigen/LU>
@@ -74,6 +75,11 @@ namespace abut
   }
 
   Body::~Body() = default;
+
+  bool Body::projects_divergence() const
+  {
+    return abut::projects_divergence(space_->mesh().cell_type, description_.poisson_ratio);
+  }
 
   void Body::set_up()
   {
