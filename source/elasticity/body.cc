@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/elasticity/assembly.h>
 #include <abut/elasticity/body.h>
+#include <abut/elasticity/locking.h>
 #include <abut/elasticity/projected_divergence.h>
 #include <abut/user_error.h>
 
@@ -72,6 +73,7 @@ namespace abut
         contact_side_names_(contact_sides)
   {
     set_up();
+    refuse_locking(description_, *space_, supports_);
   }
 
   Body::~Body() = default;

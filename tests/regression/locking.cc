@@ -73,3 +73,61 @@ TEST(Locking, RubberRoller)
     EXPECT_NEAR(force(answer, "c"), 1.37501, 1e-3 * 1.37501) << degree;
   }
 }
+
+TEST(Locking, TrianglesAreRefused)
+{
+  for (const std::string degree : {"1", "2"})
+  {
+    const std::vector<std::string> triangles = {"Body lower/Cell type=triangles",
+                                                "Body lower/Degree=" + degree, "Body lower/Cells=16, 4"};
+    expect_refused(run_case("locking-q1", triangles),
+                   {"locking-q1.prm", "Body lower/Poisson ratio", "0.4999", "0.45", "Allow locking"});
+    for (const std::string change : {"Body lower/Allow locking=true", "Body lower/Poisson ratio=0.45"})
+    {
+      std::vector<std::string> allowed = triangles;
+      allowed.push_back(change);
+      EXPECT_EQ(run_case("locking-q1", allowed).status, 0) << change;
+    }
+  }
+}
+
+// Q1/P0 in a closed vessel: its pressure has a checkerboard 1e4 times as large as the right one.
+TEST(Locking, LinearElementsInAVesselAreRefused)
+{
+  const std::string file = temporary_file("vessel.prm", R"(
+set Bodies = fluid
+subsection Body fluid
+  set Cells = 16, 16
+  set Poisson ratio = 0.4999999
+  set Conditions = left: displacement: 0, 0; right: displacement: 0, 0; bottom: displacement: 0, 0; \
+                   top: displacement: x*(1-x), 0
+end
+)");
+  expect_refused(run({file}),
+                 {"vessel.prm", "Body fluid/Poisson ratio", "0.4999999", "degree 1", "Degree = 2"});
+  const Answer quadratic = run({file, "--set", "Body fluid/Degree=2"});
+  const Answer linear = run({file, "--set", "Body fluid/Allow locking=true"});
+  const Answer rollers =
+      run({file, "--set",
+           "Body fluid/Conditions=left: normal displacement: 0; right: normal displacement: 0; "
+           "bottom: normal displacement: 0; top: displacement: x*(1-x), 0"});
+  for (const Answer *const answer : {&quadratic, &linear, &rollers})
+    ASSERT_EQ(answer->status, 0) << answer->err;
+  // Stresses are free of the checkerboard all the same. In the corners the strain jumps: half an order.
+  const auto von_mises = [](const Answer &answer) {
+    return answer.summary["bodies"][0]["max_von_mises"].get<double>();
+  };
+  EXPECT_NEAR(von_mises(linear) / von_mises(quadratic), 1., .25);
+}
+
+TEST(Locking, CheckNamesTheProjection)
+{
+  const std::string phrase = "divergence projected onto polynomials of degree 0";
+  const Answer checked = run({project_file("tests/data/cases/locking-q1.prm"), "--check"});
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_NE(checked.out.find(phrase), std::string::npos) << checked.out;
+  const Answer compressible =
+      run({project_file("tests/data/cases/locking-q1.prm"), "--check", "--set",
+           "Body upper/Poisson ratio=0.3", "--set", "Body lower/Poisson ratio=0.399"});
+  EXPECT_EQ(compressible.out.find(phrase), std::string::npos) << compressible.out;
+}

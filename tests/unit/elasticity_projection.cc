@@ -21,6 +21,7 @@ namespace
     body.placement = Placement(1.5, true, 25., Vector2(2., 1.));
     body.young_modulus = 7.;
     body.poisson_ratio = nu;
+    body.allow_locking = true; // degree 1 in PatchTest
     return body;
   }
 
@@ -112,7 +113,8 @@ TEST(ElasticityProjection, KeepsPolynomialsOnDistortedCells)
     }
 }
 
-// Of the work on any field: the stiffness and the stress see one and the same projection, on discs too.
+// Of the work on any field: the stiffness and the stress see one and the same projection, on discs too. Of
+// degree 1 the stress leaves out the checkerboard.
 TEST(ElasticityProjection, StressDoesTheWorkOfTheStiffness)
 {
   for (const double nu : {.3, .4, .4999})
@@ -129,6 +131,8 @@ TEST(ElasticityProjection, StressDoesTheWorkOfTheStiffness)
           description.top.reset();
         }
         const Body body(description, {});
+        if (degree == 1 && body.projects_divergence())
+          continue;
         const Eigen::SparseMatrix<double> stiffness = assemble_stiffness(body.space(), body.material());
         const Eigen::VectorXd u = interpolated(body.space(), [](const Vector2 &x) {
           return Vector2(std::sin(3. * x.x() * x.y()), std::cos(2. * x.x() + x.y()));

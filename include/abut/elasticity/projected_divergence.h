@@ -10,8 +10,8 @@ namespace abut
   /**
    * Whether the volumetric term of a body takes the projection P div u in place of div u: quadrilaterals from
    * nu = .4 on. Without it nu -> .5 imposes div u = 0 at every quadrature point, more constraints than the
-   * elements can bear: they lock, and their pressure oscillates. Below .4 the errors without it are at most
-   * 1.7 times those at nu = .3.
+   * elements can bear: they lock, and their pressure oscillates. Below .4 the errors without it are less than
+   * twice those at nu = .3.
    */
   constexpr double smallest_projected_ratio = .4;
   bool projects_divergence(CellType cell_type, double poisson_ratio);
