@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/elasticity/stress_field.h>
+#include <abut/mesh/checkerboard.h>
 
 namespace abut
 {
@@ -27,6 +28,8 @@ namespace abut
       divergence_.col(cell->active_cell_index()) =
           ProjectedDivergence(polynomials(cell), values).coefficients(deformation_(dofs));
     }
+    if (space_.degree() == 1)
+      divergence_ -= checkerboard(space_.mesh().triangulation, divergence_.transpose()).transpose();
   }
 
   Stress StressField::at(const Cell &cell, const Vector2 &point, const Eigen::Matrix2d &gradient) const

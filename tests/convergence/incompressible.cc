@@ -113,7 +113,7 @@ namespace
   {
     for (const std::string scene : {"two-layers-rollers.prm", "two-layers-rollers-bonded.prm"})
       for (const std::string estimator : {"spr", "fe-be"})
-        for (const unsigned int degree : {2u, 3u})
+        for (const unsigned int degree : {1u, 2u, 3u})
         {
           const AdaptivePasses passes(
               scene + ", nu = 0.4999, degree " + std::to_string(degree) + ", " + estimator, scene,

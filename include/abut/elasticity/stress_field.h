@@ -12,7 +12,9 @@ namespace abut
   /**
    * sigma_F, the stress of a body's finite elements: sigma = lambda d I + 2 mu eps(u) in the plane, where d
    * is div u, or its projection where the stiffness takes that (projects_divergence). So it balances the
-   * loads in the sense of the finite elements, int sigma : eps(v) = l(v), either way.
+   * loads in the sense of the finite elements, int sigma : eps(v) = l(v), either way - but for the
+   * checkerboard that Q1/P0 adds to its pressure, for it is not inf-sup stable: that is left out of d (see
+   * checkerboard).
    */
   class StressField
   {
@@ -41,6 +43,6 @@ namespace abut
     const Space &space_;
     const Material material_;
     const Eigen::VectorXd &deformation_;
-    Eigen::MatrixXd divergence_; // P div u, a column for every cell; empty without projection
+    Eigen::MatrixXd divergence_; // d, a column for every cell; empty without projection
   };
 } // namespace abut
