@@ -16,9 +16,9 @@ namespace abut
           << body.space().degree() << ", " << body.space().n_dofs()
           << " unknowns, E = " << description.young_modulus << ", nu = " << description.poisson_ratio << '\n';
       if (body.projects_divergence())
-        out << "  its volumetric term takes the divergence projected onto polynomials of degree "
-            << body.space().degree() - 1
-            << ", as that of all quadrilaterals from nu = " << smallest_projected_ratio << " on\n";
+        out << "  volumetric term: divergence projected onto polynomials of degree "
+            << body.space().degree() - 1 << " (quadrilaterals from nu = " << smallest_projected_ratio
+            << " on)\n";
       out << "  supports:";
       for (const Condition &condition : description.conditions)
         if (is_support(condition.kind))

@@ -4,7 +4,10 @@
 
 namespace abut
 {
-  using Dofs = std::vector<dealii::types::global_dof_index>;
+  namespace
+  {
+    using Dofs = std::vector<dealii::types::global_dof_index>;
+  }
 
   StressField::StressField(const Body &body, const Eigen::VectorXd &deformation)
       : space_(body.space()), material_(body.material()), deformation_(deformation)

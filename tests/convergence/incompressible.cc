@@ -5,6 +5,9 @@
 #include <abut/reference/layers_contact.h>
 
 #include "adaptive_passes.h"
+#include <algorithm>
+#include <cmath>
+#include <iostream>
 #include <map>
 
 namespace

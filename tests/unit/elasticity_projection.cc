@@ -4,6 +4,7 @@
 #include <abut/elasticity/stress_field.h>
 
 #include "elasticity_testing.h"
+#include <cmath>
 
 using namespace abut;
 
