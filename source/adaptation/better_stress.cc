@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
+#include <abut/elasticity/stress_field.h>
 
 #include <cmath>
 
@@ -14,6 +15,7 @@ namespace abut
   {
     const Space &space = solution.body.space();
     const Material material = solution.body.material();
+    const StressField field(solution.body, solution.deformation);
     const dealii::Quadrature<2> rule = comparison_rule(space);
     dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(), rule,
                                dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
@@ -33,8 +35,7 @@ namespace abut
       for (const unsigned int q : values.quadrature_point_indices())
       {
         const double weight = values.JxW(q);
-        const Stress difference =
-            stress[q] - material.stress(gradient_at(values, q, dofs, solution.deformation));
+        const Stress difference = stress[q] - field.at(cell, values, q, dofs);
         errors.stress[index] += weight * difference.square();
         errors.energy[index] += weight * material.energy_density(difference);
         errors.areas[index] += weight;

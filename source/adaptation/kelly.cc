@@ -3,6 +3,7 @@
 #include <abut/adaptation/kelly.h>
 #include <abut/elasticity/assembly.h>
 #include <abut/elasticity/boundary_traction.h>
+#include <abut/elasticity/stress_field.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/matrix_free/fe_point_evaluation.h>
@@ -41,8 +42,8 @@ namespace abut
     public:
       explicit Estimate(const BodySolution &solution)
           : solution_(solution), space_(solution.body.space()), material_(solution.body.material()),
-            boundary_(solution.body, solution.contact_forces), degree_(space_.degree()),
-            rule_(degree_ + 1), // faces of both cell types are lines
+            field_(solution.body, solution.deformation), boundary_(solution.body, solution.contact_forces),
+            degree_(space_.degree()), rule_(degree_ + 1), // faces of both cell types are lines
             face_(space_.mapping(), space_.dof_handler().get_fe(), rule_,
                   dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
                       dealii::update_quadrature_points | dealii::update_normal_vectors),
@@ -100,7 +101,7 @@ namespace abut
         {
           const auto place = interior_.quadrature_point(q);
           const Vector2 residual =
-              divergence_at(q) + body_force(solution_.body.description(), Vector2(place[0], place[1]));
+              divergence_at(cell, q) + body_force(solution_.body.description(), Vector2(place[0], place[1]));
           const Vector2 across(-residual.y(), residual.x());
           const Vector2 direction =
               (material_.lambda() + 2. * material_.mu()) * residual + material_.mu() * across;
@@ -109,17 +110,17 @@ namespace abut
         }
       }
 
-      /// div sigma = (lambda + mu) grad div u + mu lap u.
-      Vector2 divergence_at(const unsigned int q) const
+      /// div sigma = lambda grad d + mu (grad div u + lap u), see StressField.
+      Vector2 divergence_at(const Cell &cell, const unsigned int q) const
       {
-        const double lambda = material_.lambda(), mu = material_.mu();
-        Vector2 divergence = Vector2::Zero();
+        const double mu = material_.mu();
+        Vector2 divergence = material_.lambda() * field_.divergence_gradient(cell, interior_, q, dofs_);
         for (const unsigned int i : interior_.dof_indices())
         {
           const auto component = interior_.get_fe().system_to_component_index(i).first;
           const auto hessian = interior_.shape_hessian(i, q);
           const double u = solution_.deformation[static_cast<Index>(dofs_[i])];
-          divergence += (lambda + mu) * u * Vector2(hessian[component][0], hessian[component][1]);
+          divergence += mu * u * Vector2(hessian[component][0], hessian[component][1]);
           divergence[component] += mu * u * dealii::trace(hessian);
         }
         return divergence;
@@ -133,7 +134,7 @@ namespace abut
         {
           const Vector2 normal = normal_at(q);
           const KnownTraction known = boundary_.at(face_, q, cell->face(f)->boundary_id(), dofs_);
-          const Vector2 difference = known.value - traction(stress_at(q), normal);
+          const Vector2 difference = known.value - traction(field_.at(cell, face_, q, dofs_), normal);
           Vector2 residual = Vector2::Zero();
           for (const Vector2 &direction : known.directions)
             residual += difference.dot(direction) * direction;
@@ -146,13 +147,13 @@ namespace abut
         const Cell neighbour = cell->neighbor(f);
         face_.reinit(cell, f);
         neighbour->get_dof_indices(other_dofs_);
-        const std::vector<Eigen::Matrix2d> other = gradients_in(neighbour);
+        const std::vector<Stress> other = stress_in(neighbour);
         const double length = cell->face(f)->measure();
         const double coarse_length = neighbour->level() < cell->level() ? 2. * length : length;
         for (const unsigned int q : face_.quadrature_point_indices())
         {
           const Vector2 normal = normal_at(q);
-          const Vector2 jump = traction(stress_at(q) - material_.stress(other[q]), normal);
+          const Vector2 jump = traction(field_.at(cell, face_, q, dofs_) - other[q], normal);
           squares_[cell->active_cell_index()].add(jump, normal, material_,
                                                   face_factor(cell, length) * face_.JxW(q));
           squares_[neighbour->active_cell_index()].add(jump, normal, material_,
@@ -166,13 +167,8 @@ namespace abut
         return Vector2(normal[0], normal[1]);
       }
 
-      Stress stress_at(const unsigned int q) const
-      {
-        return material_.stress(gradient_at(face_, q, dofs_, solution_.deformation));
-      }
-
-      /// grad u of a neighbour at the points of the face, whatever part of the neighbour's face it is.
-      std::vector<Eigen::Matrix2d> gradients_in(const Cell &neighbour)
+      /// The stress of a neighbour at the points of the face, whatever part of the neighbour's face it is.
+      std::vector<Stress> stress_in(const Cell &neighbour)
       {
         std::vector<dealii::Point<2>> unit_points;
         for (const auto &point : face_.get_quadrature_points())
@@ -182,18 +178,22 @@ namespace abut
           values.push_back(solution_.deformation[static_cast<Index>(dof)]);
         other_.reinit(neighbour, unit_points);
         other_.evaluate(values, dealii::EvaluationFlags::gradients);
-        std::vector<Eigen::Matrix2d> gradients(unit_points.size());
+        std::vector<Stress> stress(unit_points.size());
         for (unsigned int q = 0; q < unit_points.size(); ++q)
         {
-          const auto gradient = other_.get_gradient(q);
-          gradients[q] << gradient[0][0], gradient[0][1], gradient[1][0], gradient[1][1];
+          const auto place = face_.quadrature_point(q);
+          const auto shown = other_.get_gradient(q);
+          Eigen::Matrix2d gradient;
+          gradient << shown[0][0], shown[0][1], shown[1][0], shown[1][1];
+          stress[q] = field_.at(neighbour, Vector2(place[0], place[1]), gradient);
         }
-        return gradients;
+        return stress;
       }
 
       const BodySolution &solution_;
       const Space &space_;
       const Material material_;
+      const StressField field_;
       const BoundaryTraction boundary_;
       const unsigned int degree_;
       const dealii::QGauss<1> rule_;
@@ -208,14 +208,14 @@ namespace abut
   CellErrors KellyIndicator::estimate(const BodySolution &solution) const
   {
     // sigma_F stands for the better stress that there is none of: areas and norms.
-    const Material material = solution.body.material();
+    const StressField field(solution.body, solution.deformation);
     std::vector<dealii::types::global_dof_index> dofs(
         solution.body.space().dof_handler().get_fe().n_dofs_per_cell());
     CellErrors errors = compare(
         solution, [&](const Cell &cell, const dealii::FEValues<2> &values, std::vector<Stress> &stress) {
           cell->get_dof_indices(dofs);
           for (const unsigned int q : values.quadrature_point_indices())
-            stress[q] = material.stress(gradient_at(values, q, dofs, solution.deformation));
+            stress[q] = field.at(cell, values, q, dofs);
         });
     errors.better.clear();
     const std::vector<Squares> squares = Estimate(solution).run();

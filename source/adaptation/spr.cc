@@ -2,6 +2,7 @@
 #include <abut/adaptation/patches.h>
 #include <abut/adaptation/spr.h>
 #include <abut/elasticity/boundary_traction.h>
+#include <abut/elasticity/stress_field.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -100,14 +101,14 @@ namespace abut
         dealii::FEValues<2> values(space_.mapping(), space_.dof_handler().get_fe(),
                                    gauss_rule(space_, space_.degree()),
                                    dealii::update_gradients | dealii::update_quadrature_points);
+        const StressField field(solution_.body, solution_.deformation);
         for (const auto &cell : space_.dof_handler().active_cell_iterators())
         {
           values.reinit(cell);
           cell->get_dof_indices(dofs_);
           for (const unsigned int q : values.quadrature_point_indices())
           {
-            const Stress stress =
-                solution_.body.material().stress(gradient_at(values, q, dofs_, solution_.deformation));
+            const Stress stress = field.at(cell, values, q, dofs_);
             const auto p = values.quadrature_point(q);
             const double parts[] = {stress.xx, stress.yy, stress.xy};
             // xy stands for yx too: the sum of squares is that of the tensor, in whatever frame.

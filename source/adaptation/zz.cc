@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
 #include <abut/adaptation/zz.h>
+#include <abut/elasticity/stress_field.h>
 
 namespace abut
 {
@@ -14,7 +15,8 @@ namespace abut
       const Space &space = solution.body.space();
       const auto &fe = space.dof_handler().get_fe();
       dealii::FEValues<2> values(space.mapping(), fe, dealii::Quadrature<2>(fe.get_unit_support_points()),
-                                 dealii::update_gradients);
+                                 dealii::update_gradients | dealii::update_quadrature_points);
+      const StressField field(solution.body, solution.deformation);
       std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
       NodalStress sums = NodalStress::Zero(space.n_dofs(), 3);
       Eigen::VectorXd areas = Eigen::VectorXd::Zero(space.n_dofs());
@@ -25,8 +27,7 @@ namespace abut
         const double area = cell->measure();
         for (unsigned int i = 0; i < dofs.size(); ++i)
         {
-          const Stress stress =
-              solution.body.material().stress(gradient_at(values, i, dofs, solution.deformation));
+          const Stress stress = field.at(cell, values, i, dofs);
           sums.row(dofs[i]) += area * Eigen::RowVector3d(stress.xx, stress.yy, stress.xy);
           areas[dofs[i]] += area;
         }

@@ -23,7 +23,10 @@ namespace abut
     std::string of_bodies(const std::vector<BodyResult> &bodies)
     {
       for (const BodyResult &result : bodies)
-        if (result.body->space().mesh().curved)
+        if (result.body->projects_divergence())
+          return "the projected divergence of the nearly incompressible body " + result.body->name() +
+                 " is left out of the theory";
+        else if (result.body->space().mesh().curved)
           return "the error of the straight edges that stand for the curved sides of body " +
                  result.body->name() + " is not part of it";
       return "";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/simulation.h>
+#include <abut/elasticity/projected_divergence.h>
 
 #include <ostream>
 
@@ -14,6 +15,10 @@ namespace abut
           << (description.cell_type == CellType::triangles ? "triangles" : "quadrilaterals") << " of degree "
           << body.space().degree() << ", " << body.space().n_dofs()
           << " unknowns, E = " << description.young_modulus << ", nu = " << description.poisson_ratio << '\n';
+      if (body.projects_divergence())
+        out << "  volumetric term: divergence projected onto polynomials of degree "
+            << body.space().degree() - 1 << " (quadrilaterals from nu = " << smallest_projected_ratio
+            << " on)\n";
       out << "  supports:";
       for (const Condition &condition : description.conditions)
         if (is_support(condition.kind))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/stress_samples.h>
+#include <abut/elasticity/stress_field.h>
 
 #include <tbb/parallel_for.h>
 
@@ -7,14 +8,11 @@ namespace abut
 {
   std::vector<StressSample> stress_samples(const BodyResult &result, const dealii::Quadrature<2> &rule)
   {
-    const Material material = result.body->material();
     const Placement &placement = result.body->description().placement;
     std::vector<StressSample> samples;
-    visit_gradients(
-        result.body->space(), rule, result.deformation,
-        [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
-          samples.push_back(
-              {placement.point_to_own(point), weight, in_own_frame(material.stress(gradient), placement)});
+    StressField(*result.body, result.deformation)
+        .visit(rule, [&](const Vector2 &point, const double weight, const Stress &stress) {
+          samples.push_back({placement.point_to_own(point), weight, in_own_frame(stress, placement)});
         });
     return samples;
   }

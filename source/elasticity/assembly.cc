@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/elasticity/assembly.h>
+#include <abut/elasticity/projected_divergence.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
@@ -32,10 +33,11 @@ namespace abut
       return matrix;
     }
 
-    dealii::FullMatrix<double> cell_stiffness(const dealii::FEValues<2> &values, const Material &material)
+    /// int lambda div u div v + 2 mu eps(u) : eps(v), the lower triangle.
+    dealii::FullMatrix<double> cell_stiffness(const dealii::FEValues<2> &values, const double lambda,
+                                              const double mu)
     {
       const auto &fe = values.get_fe();
-      const double lambda = material.lambda(), mu = material.mu();
       dealii::FullMatrix<double> matrix(fe.n_dofs_per_cell());
       for (const unsigned int q : values.quadrature_point_indices())
         for (const unsigned int i : values.dof_indices())
@@ -51,7 +53,21 @@ namespace abut
                             values.JxW(q);
           }
         }
-      return matrix; // lower triangle
+      return matrix;
+    }
+
+    /// The same with P div in place of div.
+    dealii::FullMatrix<double> projected_cell_stiffness(const Cell &cell, const dealii::FEValues<2> &values,
+                                                        const double lambda, const double mu)
+    {
+      dealii::FullMatrix<double> matrix = cell_stiffness(values, 0., mu);
+      const CellPolynomials polynomials(cell, values.get_fe().degree - 1);
+      const Eigen::MatrixXd root = ProjectedDivergence(polynomials, values).root();
+      const Eigen::MatrixXd volumetric = lambda * (root.transpose() * root);
+      for (const unsigned int i : values.dof_indices())
+        for (unsigned int j = 0; j <= i; ++j)
+          matrix(i, j) += volumetric(i, j);
+      return matrix;
     }
   } // namespace
 
@@ -60,13 +76,17 @@ namespace abut
     Eigen::SparseMatrix<double> stiffness = zero_matrix(space.dof_handler());
     const auto &fe = space.dof_handler().get_fe();
     dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
-                               dealii::update_gradients | dealii::update_JxW_values);
+                               dealii::update_gradients | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
+    const bool projects = projects_divergence(space.mesh().cell_type, material.poisson_ratio);
+    const double lambda = material.lambda(), mu = material.mu();
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);
-      const dealii::FullMatrix<double> matrix = cell_stiffness(values, material);
+      const dealii::FullMatrix<double> matrix =
+          projects ? projected_cell_stiffness(cell, values, lambda, mu) : cell_stiffness(values, lambda, mu);
       for (const unsigned int i : values.dof_indices())
         for (const unsigned int j : values.dof_indices())
           stiffness.coeffRef(static_cast<Index>(dofs[i]), static_cast<Index>(dofs[j])) +=

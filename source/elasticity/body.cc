@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/elasticity/assembly.h>
 #include <abut/elasticity/body.h>
+#include <abut/elasticity/locking.h>
+#include <abut/elasticity/projected_divergence.h>
 #include <abut/user_error.h>
 
 #include <Eigen/LU>
@@ -71,9 +73,15 @@ namespace abut
         contact_side_names_(contact_sides)
   {
     set_up();
+    refuse_locking(description_, *space_, supports_);
   }
 
   Body::~Body() = default;
+
+  bool Body::projects_divergence() const
+  {
+    return abut::projects_divergence(space_->mesh().cell_type, description_.poisson_ratio);
+  }
 
   void Body::set_up()
   {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/elasticity/stress_field.h>
 #include <abut/report/apart.h>
 #include <abut/report/deformed.h>
 
@@ -142,15 +143,13 @@ namespace abut
   std::vector<double> mean_von_mises(const BodyResult &result)
   {
     const Space &space = result.body->space();
-    const Material material = result.body->material();
     std::vector<double> means(space.mesh().triangulation.n_active_cells());
     double area = 0.;
     std::size_t visited = 0;
-    visit_gradients(
-        space, space.quadrature(), result.deformation,
-        [&](const Vector2 &, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
+    StressField(*result.body, result.deformation)
+        .visit(space.quadrature(), [&](const Vector2 &, const double weight, const Stress &stress) {
           double &mean = means[visited / space.quadrature().size()];
-          mean += weight * material.stress(gradient).von_mises();
+          mean += weight * stress.von_mises();
           area += weight;
           if (++visited % space.quadrature().size() == 0)
           {

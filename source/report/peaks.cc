@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/elasticity/stress_field.h>
 #include <abut/report/peaks.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -59,7 +60,6 @@ namespace abut
                        const Eigen::VectorXd &deformation, const std::vector<Vector2> &singular_vertices)
   {
     const Space &space = body.space();
-    const Material material = body.material();
     BodyPeaks peaks;
     PeakFinder at_output_points(output_points(space).size()), at_gauss_points(space.quadrature().size());
     Vector2 low = Vector2::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -71,11 +71,11 @@ namespace abut
                       high = high.cwiseMax(place);
                     });
     at_output_points.restart();
-    visit_gradients(space, output_points(space), deformation,
-                    [&](const Vector2 &place, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
-                      at_output_points.next(place);
-                      at_output_points.raise(peaks.von_mises, material.stress(gradient).von_mises());
-                    });
+    StressField(body, deformation)
+        .visit(output_points(space), [&](const Vector2 &place, double, const Stress &stress) {
+          at_output_points.next(place);
+          at_output_points.raise(peaks.von_mises, stress.von_mises());
+        });
     const double near = near_share * (high - low).norm();
     visit_gradients(space, space.quadrature(), deformation,
                     [&](const Vector2 &place, double, const Vector2 &, const Eigen::Matrix2d &gradient) {

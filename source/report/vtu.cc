@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/elasticity/stress_field.h>
 #include <abut/report/deformed.h>
 #include <abut/report/svg.h>
 #include <abut/report/vtu.h>
@@ -23,17 +24,19 @@ namespace abut
     class StressPostprocessor : public dealii::DataPostprocessor<2>
     {
     public:
-      explicit StressPostprocessor(const Material &material) : material_(material) {}
+      explicit StressPostprocessor(const StressField &field) : field_(field) {}
 
       void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<2> &inputs,
                                  std::vector<dealii::Vector<double>> &quantities) const override
       {
+        const Cell cell = inputs.get_cell<2>();
         for (std::size_t point = 0; point < quantities.size(); ++point)
         {
+          const auto &place = inputs.evaluation_points[point];
           const auto &gradients = inputs.solution_gradients[point];
           Eigen::Matrix2d gradient;
           gradient << gradients[0][0], gradients[0][1], gradients[1][0], gradients[1][1];
-          const Stress stress = material_.stress(gradient);
+          const Stress stress = field_.at(cell, Vector2(place[0], place[1]), gradient);
           quantities[point][0] = stress.xx;
           quantities[point][1] = stress.yy;
           quantities[point][2] = stress.xy;
@@ -47,10 +50,13 @@ namespace abut
         return {"stress_xx", "stress_yy", "stress_xy", "stress_zz", "von_mises"};
       }
 
-      dealii::UpdateFlags get_needed_update_flags() const override { return dealii::update_gradients; }
+      dealii::UpdateFlags get_needed_update_flags() const override
+      {
+        return dealii::update_gradients | dealii::update_quadrature_points;
+      }
 
     private:
-      Material material_;
+      const StressField &field_;
     };
 
     dealii::Vector<double> levels(const dealii::Triangulation<2> &triangulation)
@@ -162,7 +168,8 @@ namespace abut
     const dealii::Vector<double> displacement(result.displacement.begin(), result.displacement.end());
     const dealii::Vector<double> deformation(result.deformation.begin(), result.deformation.end());
     const dealii::Vector<double> level = levels(space.mesh().triangulation);
-    const StressPostprocessor stress(result.body->material());
+    const StressField field(*result.body, result.deformation);
+    const StressPostprocessor stress(field);
     const BetterStressPostprocessor better_stress;
     std::unique_ptr<BetterStressField> better;
 

@@ -87,6 +87,12 @@ namespace abut
       prm.declare_entry("Poisson ratio", "0.3", Patterns::Double(-1., 0.5),
                         "nu, between -1 and 0.5, both excluded. No unit.");
       prm.declare_entry(
+          "Allow locking", "false", Patterns::Bool(),
+          "Whether elements that fail for nu above 0.45 are used all the same: triangles, which "
+          "lock, and degree 1 where supports hold all sides in both directions. Quadrilaterals "
+          "need it for nothing else: from nu = 0.4 on they take the divergence projected onto "
+          "polynomials of one degree less.");
+      prm.declare_entry(
           "Body force", "", Patterns::Anything(),
           "Empty, or two formulas in x, y of the own frame separated by a comma. Force per volume "
           "along the own frame's axes, not scaled.");
@@ -259,6 +265,7 @@ namespace abut
     body.adapt = prm.get_bool("Adapt");
     body.young_modulus = positive(prm, "Young modulus", where);
     body.poisson_ratio = parse_poisson_ratio(prm, where);
+    body.allow_locking = prm.get_bool("Allow locking");
     body.body_force = parse_body_force(prm.get("Body force"), constants, where + "Body force");
     body.conditions = parse_conditions(prm.get("Conditions"), constants, where + "Conditions");
     if (const double depth = prm.get_double("Contact depth"); depth > 0.)

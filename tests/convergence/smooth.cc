@@ -28,18 +28,18 @@ namespace
     return body;
   }
 
-  constexpr std::size_t energy = 0, l2 = 1;
+  constexpr std::size_t energy = 0, l2 = 1, stress = 2;
 
   /// Meshes of n x n cells with n = `coarsest`, doubled until `finest`.
   ConvergenceTable study(const std::string &title, BodyDescription body, const unsigned int coarsest,
-                         const unsigned int finest)
+                         const unsigned int finest, const SmoothField &field = compressible_field())
   {
-    ConvergenceTable table(title + ", degree " + std::to_string(body.degree), {"energy", "L2"});
+    ConvergenceTable table(title + ", degree " + std::to_string(body.degree), {"energy", "L2", "stress"});
     for (unsigned int n = coarsest; n <= finest; n *= 2)
     {
       body.cells = {{n, n}};
-      const SmoothErrors errors = solve_smooth(body);
-      table.add(1. / n, {errors.energy, errors.l2});
+      const SmoothErrors errors = solve_smooth(body, field);
+      table.add(1. / n, {errors.energy, errors.l2, errors.stress});
     }
     table.print();
     return table;
@@ -77,6 +77,25 @@ namespace
     for (std::size_t row = 0; row < 2; ++row)
       for (const std::size_t norm : {energy, l2})
         EXPECT_NEAR(moved.error(row, norm), at_home.error(row, norm), 1e-6 * at_home.error(row, norm));
+  }
+
+  /// The orders of any material, and errors at most twice those at nu = .3, whatever nu.
+  TEST_P(Quadrilaterals, nearly_incompressible_below_a_curved_top)
+  {
+    const auto table = [](const std::string &nu) {
+      BodyDescription body = curved_plate(GetParam());
+      body.poisson_ratio = std::stod(nu);
+      return study("Curved top, nu = " + nu, body, 8, 64 / GetParam(), nearly_incompressible_field());
+    };
+    const ConvergenceTable compressible = table("0.3");
+    for (const std::string nu : {"0.4", "0.49", "0.4999", "0.4999999"})
+    {
+      const ConvergenceTable found = table(nu);
+      expect_optimal(found, GetParam());
+      EXPECT_NEAR(found.last_rate(stress), GetParam(), .1);
+      for (const std::size_t norm : {energy, l2, stress})
+        EXPECT_LE(found.last_error(norm), 2. * compressible.last_error(norm)) << nu;
+    }
   }
 
   INSTANTIATE_TEST_SUITE_P(degree, Quadrilaterals, testing::Values(1u, 2u, 3u));

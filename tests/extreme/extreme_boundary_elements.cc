@@ -39,7 +39,6 @@ TEST(ExtremeBoundaryElements, ModuliOneToOneHundredMillion)
 
 TEST(ExtremeBoundaryElements, NearlyIncompressible)
 {
-  // Bilinear elements lock: their error is all of the stress, and boundary elements say so.
   for (const std::string nu : {"0.4999", "0.4999999"})
     expect_worth({"Body upper/Poisson ratio=" + nu, "Body lower/Poisson ratio=" + nu});
 }

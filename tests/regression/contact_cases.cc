@@ -11,14 +11,6 @@ using namespace abut::testing;
 
 namespace
 {
-  Answer run_case(const std::string &name, const std::vector<std::string> &overrides = {})
-  {
-    std::vector<std::string> arguments = {project_file("tests/data/cases/" + name + ".prm")};
-    for (const std::string &override : overrides)
-      arguments.insert(arguments.end(), {"--set", override});
-    return run(arguments);
-  }
-
   double value(const Answer &answer, const std::string &name, const std::string &key)
   {
     return contact(answer, name)[key].get<double>();

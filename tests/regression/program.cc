@@ -70,12 +70,25 @@ namespace abut::testing
     return answer;
   }
 
+  namespace
+  {
+    Answer run_file(const std::string &name, const std::vector<std::string> &overrides)
+    {
+      std::vector<std::string> arguments = {project_file(name)};
+      for (const std::string &override : overrides)
+        arguments.insert(arguments.end(), {"--set", override});
+      return run(arguments);
+    }
+  } // namespace
+
   Answer run_scene(const std::string &scene, const std::vector<std::string> &overrides)
   {
-    std::vector<std::string> arguments = {project_file("prm/" + scene + ".prm")};
-    for (const std::string &override : overrides)
-      arguments.insert(arguments.end(), {"--set", override});
-    return run(arguments);
+    return run_file("prm/" + scene + ".prm", overrides);
+  }
+
+  Answer run_case(const std::string &name, const std::vector<std::string> &overrides)
+  {
+    return run_file("tests/data/cases/" + name + ".prm", overrides);
   }
 
   void expect_refused(const Answer &answer, const std::vector<std::string> &phrases)

@@ -24,6 +24,9 @@ namespace abut::testing
   /// Runs a scene of the project's folder `prm` with overrides `Section/Name=value`.
   Answer run_scene(const std::string &scene, const std::vector<std::string> &overrides = {});
 
+  /// The same for an input of the folder `tests/data/cases`.
+  Answer run_case(const std::string &name, const std::vector<std::string> &overrides = {});
+
   /// A refusal as it should be: status 1, one line that contains all phrases, nothing written.
   void expect_refused(const Answer &answer, const std::vector<std::string> &phrases);
 

@@ -9,8 +9,6 @@
 
 namespace abut
 {
-  using Cell = dealii::DoFHandler<2>::active_cell_iterator;
-
   /// Fills in a stress that is closer to the exact one than the finite elements', at the quadrature points of
   /// a cell.
   using BetterStress =

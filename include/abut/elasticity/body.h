@@ -54,6 +54,8 @@ namespace abut
     const BodyDescription &description() const { return description_; }
     const Space &space() const { return *space_; }
     Material material() const { return {description_.young_modulus, description_.poisson_ratio}; }
+    /// See abut::projects_divergence.
+    bool projects_divergence() const;
     const Supports &supports() const { return supports_; }
     const std::optional<Resultant> &resultant() const { return resultant_; }
     const std::vector<std::string> &free_rigid_motions() const { return free_rigid_motions_; }

@@ -50,13 +50,16 @@ namespace abut
     }
     double mu() const { return young_modulus / (2. * (1. + poisson_ratio)); }
 
-    /// sigma = lambda tr(eps) I + 2 mu eps, from grad u (row: component, column: derivative).
-    Stress stress(const Eigen::Matrix2d &gradient) const
+    /// sigma = lambda d I + 2 mu eps, from grad u (row: component, column: derivative) and d, which is div u
+    /// or stands for it.
+    Stress stress(const Eigen::Matrix2d &gradient, const double divergence) const
     {
-      const double pressure_part = lambda() * gradient.trace();
-      return {pressure_part + 2. * mu() * gradient(0, 0), pressure_part + 2. * mu() * gradient(1, 1),
-              mu() * (gradient(0, 1) + gradient(1, 0)), pressure_part};
+      const double xx = lambda() * divergence + 2. * mu() * gradient(0, 0);
+      const double yy = lambda() * divergence + 2. * mu() * gradient(1, 1);
+      return {xx, yy, mu() * (gradient(0, 1) + gradient(1, 0)), poisson_ratio * (xx + yy)};
     }
+    /// sigma = lambda tr(eps) I + 2 mu eps.
+    Stress stress(const Eigen::Matrix2d &gradient) const { return stress(gradient, gradient.trace()); }
 
     /// sigma : C^-1 sigma, the integrand of the squared energy norm, for a stress of plane strain.
     double energy_density(const Stress &s) const

@@ -20,6 +20,8 @@
 
 namespace abut
 {
+  using Cell = dealii::DoFHandler<2>::active_cell_iterator;
+
   /**
    * The finite-element space of one body: vector-valued Lagrange elements of degree p on its mesh,
    * isoparametric on curved bodies. Owns the mesh. Where cells meet finer ones, the unknowns at hanging nodes

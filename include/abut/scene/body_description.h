@@ -64,6 +64,7 @@ namespace abut
 
     double young_modulus = 1.;
     double poisson_ratio = 0.;
+    bool allow_locking = false; ///< nearly incompressible elements that are known to fail are not refused
     std::vector<Expression> body_force; ///< empty or two: force per volume, own frame, not scaled
     std::vector<Condition> conditions;
     std::optional<double>
