@@ -23,7 +23,7 @@ namespace abut
     {
       const auto faces = a->face_indices();
       return std::any_of(faces.begin(), faces.end(), [&](const unsigned int f) {
-        return !a->at_boundary(f) && MeshCell(a->neighbor(f)) == b;
+        return !a->at_boundary(f) && a->neighbor(f) == dealii::Triangulation<2>::cell_iterator(b);
       });
     }
 
