@@ -27,7 +27,8 @@ namespace abut
       std::ostringstream text;
       text.precision(3);
       text << motion
-           << " is held by nothing: contact can only push, and pushes the body along it by an overlap of "
+           << " is held by nothing: contact can only push, and pushes the body along it where the sides "
+              "overlap, as they are placed or moved, by "
            << overlap
            << "; add a support (a displacement condition in its Conditions) or a load that presses it back";
       throw UserError(text.str());

@@ -42,23 +42,27 @@ namespace abut
       return false;
     }
 
+    /// By how much the stress has to be larger than farther away: vertices count as singular where a stress
+    /// can be infinite, which it need not be, for instance under uniform stress.
+    constexpr double beside_regular = 1.1;
+
     /// The cell of the largest stress has a vertex where the exact one is infinite: no mesh finds a maximum.
     Warnings singularity_warnings(const BodyResult &result)
     {
       const Peak &stress = result.peaks.von_mises;
-      if (!(stress.value > 0.))
+      if (!(stress.value > beside_regular * result.peaks.regular_von_mises.value))
         return {};
       for (const Vector2 &vertex : singular_vertices(*result.body))
         if (has_vertex_at(*result.body, stress.cell, vertex))
         {
           std::ostringstream text;
           text.precision(3);
-          text
-              << "Body " << result.body->name() << ": the largest von Mises stress, " << stress.value
-              << ", stands at (" << vertex.x() << ", " << vertex.y()
-              << "), where the exact stress is infinite (a reentrant corner, a support that begins or ends, "
-                 "a load that jumps): it grows with every refinement; look at the stress elsewhere, or round "
-                 "the corner";
+          text << "Body " << result.body->name() << ": the largest von Mises stress, " << stress.value
+               << ", stands at (" << vertex.x() << ", " << vertex.y()
+               << "), where the exact stress is infinite (a reentrant corner, a support that begins or ends, "
+                  "a shear load that jumps): it grows with every refinement; look at the stress elsewhere, "
+                  "or round "
+                  "the corner";
           return {{WarningCode::singular_stress, text.str()}};
         }
       return {};
@@ -68,8 +72,7 @@ namespace abut
   Warnings body_warnings(const BodyResult &body)
   {
     Warnings warnings = strain_warnings(body);
-    const Warnings singular = singularity_warnings(body);
-    warnings.insert(warnings.end(), singular.begin(), singular.end());
+    append(warnings, singularity_warnings(body));
     return warnings;
   }
 } // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/driver/bound_conditions.h>
 #include <abut/driver/part_cells.h>
+#include <abut/elasticity/locking.h>
 
 namespace abut
 {
@@ -26,6 +27,9 @@ namespace abut
         if (result.body->projects_divergence())
           return "the projected divergence of the nearly incompressible body " + result.body->name() +
                  " is left out of the theory";
+        else if (result.body->description().allow_locking &&
+                 result.body->material().poisson_ratio > largest_locking_ratio)
+          return "body " + result.body->name() + " is allowed to lock";
         else if (result.body->space().mesh().curved)
           return "the error of the straight edges that stand for the curved sides of body " +
                  result.body->name() + " is not part of it";

@@ -16,7 +16,7 @@ namespace abut
     /// Zero where there is no error.
     double by_norm(const double error, const double norm)
     {
-      if (!(error > 0.))
+      if (error == 0.)
         return 0.;
       return norm > 0. ? error / norm : std::numeric_limits<double>::infinity();
     }

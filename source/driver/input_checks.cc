@@ -6,6 +6,8 @@
 #include <abut/elasticity/side_conditions.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <sstream>
 
 namespace abut
@@ -16,9 +18,24 @@ namespace abut
     /// `large-strain` allows, as the softer body may have to take nearly all of it in a part of its depth.
     constexpr double largest_overlap = .02;
 
+    /// The length that takes an overlap up: the depth or, on a side that turns, its radius where that is
+    /// larger.
+    double reach(const ContactBody &side)
+    {
+      double turn = 0.;
+      for (const Segment &segment : side.trace->segments())
+      {
+        const Vector2 from = Trace::averaged_normal(segment, 0.), to = Trace::averaged_normal(segment, 1.);
+        turn += std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+      }
+      constexpr double noticeable = M_PI / 4.;
+      return std::abs(turn) < noticeable ? side.depth
+                                         : std::max(side.depth, side.trace->length() / std::abs(turn));
+    }
+
     Warnings overlap_warnings(const ContactPair &pair)
     {
-      const double depth = std::min(pair.slave().depth, pair.master().depth);
+      const double depth = std::min(reach(pair.slave()), reach(pair.master()));
       if (!(pair.smallest_gap() < -largest_overlap * depth))
         return {};
       std::ostringstream text;
@@ -58,18 +75,19 @@ namespace abut
       constexpr double noticeable = 1e-3; // of the load: what chords of a curve turn it by
       const SideConditions conditions(body);
       Warnings warnings;
+      std::set<std::string> sides;
       for (const Condition &condition : body.description().conditions)
+        if (!is_support(condition.kind))
+          sides.insert(condition.boundary);
+      for (const std::string &side : sides)
       {
-        if (is_support(condition.kind))
-          continue;
-        const LostLoad load = lost_load(body, conditions, condition.boundary);
+        const LostLoad load = lost_load(body, conditions, side);
         if (!(load.lost > noticeable * load.largest))
           continue;
         std::ostringstream text;
         text.precision(3);
-        text << "Body " << body.name() << ": the " << to_string(condition.kind) << " on "
-             << condition.boundary << " acts along a displacement that is prescribed there: up to "
-             << load.lost
+        text << "Body " << body.name() << ": the load on " << side
+             << " acts along a displacement that is prescribed there: up to " << load.lost
              << " (force per area) of it goes into the support and does nothing to the body; keep one of the "
                 "two conditions";
         warnings.push_back({WarningCode::load_on_support, text.str()});
@@ -89,13 +107,12 @@ namespace abut
   Warnings input_warnings(const Scene &scene, const Model &model)
   {
     Warnings warnings;
-    const auto add = [&](const Warnings &more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
     for (const RepeatedParameter &parameter : scene.repeated)
       warnings.push_back(repeated_warning(parameter));
     for (const auto &body : model.bodies())
-      add(load_on_support_warnings(*body));
+      append(warnings, load_on_support_warnings(*body));
     for (const ContactPair *pair : model.pairs())
-      add(overlap_warnings(*pair));
+      append(warnings, overlap_warnings(*pair));
     return warnings;
   }
 } // namespace abut

@@ -57,6 +57,8 @@ namespace abut
     {
       const bool onwards = distance > 0.;
       double rest = std::abs(distance);
+      if (rest >= side.length()) // a closed side has no end to arrive at
+        return true;
       double room = side.segments()[segment].length * (onwards ? 1. - s : s);
       while (rest > room)
       {
@@ -140,10 +142,7 @@ namespace abut
   {
     Warnings warnings;
     for (const auto check : {missed_warnings, hidden_warnings, sliding_warnings, leaving_warnings})
-    {
-      const Warnings more = check(pair);
-      warnings.insert(warnings.end(), more.begin(), more.end());
-    }
+      append(warnings, check(pair));
     return warnings;
   }
 
@@ -174,17 +173,16 @@ namespace abut
   Warnings result_warnings(const Results &results)
   {
     Warnings warnings = touch_warnings(results.pairs);
-    const auto add = [&](const Warnings &more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
     for (const BodyResult &body : results.bodies)
-      add(body_warnings(body));
+      append(warnings, body_warnings(body));
     std::vector<const ContactSurface *> seen;
     for (const PairResult &pair : results.pairs)
     {
-      add(pair_warnings(pair));
+      append(warnings, pair_warnings(pair));
       if (std::find(seen.begin(), seen.end(), pair.surface) != seen.end())
         continue;
       seen.push_back(pair.surface);
-      add(pressure_warnings(pair));
+      append(warnings, pressure_warnings(pair));
     }
     return warnings;
   }

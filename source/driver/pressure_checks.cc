@@ -78,8 +78,7 @@ namespace abut
           text << "Contact " << pair_name(*pair.surface, run.front()) << ": the contact at (" << place.x()
                << ", " << place.y() << ") is " << length << " wide, less than two cells of " << cell
                << ": its width and peak pressure are those of the mesh, its force is not; use finer cells "
-                  "there "
-                  "or let the bodies adapt (Body <name>/Adapt)";
+                  "there or let the bodies adapt (Body <name>/Adapt)";
           return {{WarningCode::narrow_contact, text.str()}};
         }
       return {};
@@ -97,18 +96,39 @@ namespace abut
     constexpr std::size_t fewest_half_waves = 3;
 
     /// The parts from the first that presses to the last, without those at the ends, where contact ends
-    /// somewhere within them.
+    /// somewhere within them. A closed stretch begins behind a part that does not press.
     Run inner_parts(const PairResult &pair, const Stretch &stretch)
     {
+      const std::size_t n = stretch.last - stretch.first;
+      std::size_t begin = 0;
+      while (stretch.closed && begin < n && pair.presses(stretch.first + begin))
+        ++begin;
       Run parts;
-      for (std::size_t k = stretch.first; k < stretch.last; ++k)
+      for (std::size_t i = begin; i < begin + n; ++i)
+      {
+        const std::size_t k = stretch.first + i % n;
         if (pair.presses(k) || !parts.empty())
           parts.push_back(k);
+      }
       while (!parts.empty() && !pair.presses(parts.back()))
         parts.pop_back();
       if (parts.size() < 3)
         return {};
       return {parts.begin() + 1, parts.end() - 1};
+    }
+
+    /// The mean of the pressures of those parts that press.
+    double mean_pressure(const PairResult &pair, const Run &parts)
+    {
+      double sum = 0.;
+      std::size_t n = 0;
+      for (const std::size_t k : parts)
+        if (pair.presses(k))
+        {
+          sum += pair.pressures[static_cast<Eigen::Index>(k)];
+          ++n;
+        }
+      return n > 0 ? sum / static_cast<double>(n) : 0.;
     }
 
     /// Where pressures turn, from up to down or from down to up, by more than `least` each time; the first
@@ -149,10 +169,7 @@ namespace abut
       const Run parts = inner_parts(pair, stretch);
       if (parts.empty())
         return {};
-      const double mean =
-          pair.pressures
-              .segment(static_cast<Eigen::Index>(parts.front()), static_cast<Eigen::Index>(parts.size()))
-              .mean();
+      const double mean = mean_pressure(pair, parts);
       const Run turns = turning_parts(pair, parts, 2. * largest_wave * mean);
       Wave largest;
       std::size_t n_on_end = 0;
@@ -205,8 +222,7 @@ namespace abut
   Warnings pressure_warnings(const PairResult &pair)
   {
     Warnings warnings = width_warnings(pair);
-    const Warnings rough = roughness_warnings(pair);
-    warnings.insert(warnings.end(), rough.begin(), rough.end());
+    append(warnings, roughness_warnings(pair));
     return warnings;
   }
 } // namespace abut

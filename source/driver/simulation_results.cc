@@ -84,6 +84,7 @@ namespace abut
     result.surface = &model_->surfaces()[surface];
     result.gaps = problem.of_surface(surface, problem.gaps(results.iteration.response));
     result.loads = problem.of_surface(surface, results.iteration.traction);
+    result.round_off = 1e-12 * results.iteration.traction.cwiseAbs().maxCoeff();
     result.pressures = result.surface->partition().reported_pressures(result.loads);
     const Eigen::VectorXd forces = pair.slave_coupling().transpose() * result.loads;
     for (Index i = 0; i < forces.size(); i += 2)
@@ -94,7 +95,7 @@ namespace abut
     for (std::size_t k = 0; k < pressed.size(); ++k)
     {
       const auto i = static_cast<Index>(k);
-      pressed[k] = result.presses(k) || (pair.penalty() > 0. && result.gaps[i] < 0.);
+      pressed[k] = result.loads[i] > 0. || (pair.penalty() > 0. && result.gaps[i] < 0.);
       if (!(pair.weights()[i] > 0.))
         continue;
       result.parts.push_back(k);

@@ -10,8 +10,6 @@ namespace abut
 {
   namespace
   {
-    constexpr double largest_locking_ratio = .45;
-
     /// Whether supports hold all vertices of the boundary in both directions.
     bool is_enclosed(const Space &space, const Supports &supports)
     {

@@ -91,27 +91,28 @@ namespace abut
       const auto value = [](const std::optional<double> &number, const int digits) {
         return number ? short_number(*number, digits) : std::string("-");
       };
+      const auto total = [&](const PassRecord &pass) {
+        return pass.total ? (pass.error_is_bound() ? "<= " : "~ ") + value(pass.total, 3) : "-";
+      };
       Table table = {{"pass", "cells", "unknowns", "steps", "eta max", "estimated", "iteration", "total",
                       "true energy", "true stress", "pressure", "effectivity", "of total", "seconds"}};
       for (const PassRecord &pass : results.passes)
         table.push_back({std::to_string(pass.pass), std::to_string(pass.counts.cells),
                          std::to_string(pass.counts.dofs), std::to_string(pass.steps), value(pass.eta_max, 3),
-                         value(pass.discretisation, 3), short_number(pass.iteration, 3),
-                         (pass.error_is_bound() ? "<= " : "~ ") + value(pass.total, 3),
+                         value(pass.discretisation, 3), short_number(pass.iteration, 3), total(pass),
                          value(pass.true_errors.energy, 3), value(pass.true_errors.stress, 3),
                          value(pass.true_errors.pressure, 3), value(pass.effectivity(), 3),
                          value(pass.effectivity_total, 3), short_number(pass.seconds, 3)});
-      out << "\n  Passes; relative errors: estimated, iteration, total, true energy in the energy norm, "
-             "stress "
-             "in L2 over\n"
-             "  xx, yy, zz, 2 xy, pressure in L2; effectivity of the estimated stress error and of the "
-             "total\n"
+      out << "\n  Passes; relative errors: estimated, iteration, total, true energy in the energy norm,\n"
+             "  stress in L2 over xx, yy, zz, 2 xy, pressure in L2; effectivity of the estimated stress "
+             "error\n"
+             "  and of the total\n"
           << aligned(table);
-      const std::string &reason = results.passes.back().estimate_reason;
-      if (reason.empty())
+      const PassRecord &last = results.passes.back();
+      if (last.error_is_bound())
         out << "  The total bounds the error of the energy norm, as far as boundary elements are exact.\n";
-      else
-        out << "  The total is an estimate and no bound: " << reason << ".\n";
+      else if (last.total)
+        out << "  The total is an estimate and no bound: " << last.estimate_reason << ".\n";
       if (results.adaptation_end)
         out << "  The adaptation ended by: " << results.adaptation_end->stopped_by << '\n';
     }

@@ -38,7 +38,7 @@ namespace abut
       void restart() { visited_ = 0; }
       void raise(Peak &peak, const double value) const
       {
-        if (value > peak.value)
+        if (!(value <= peak.value)) // NaN is raised too
           peak = {value, place_, cell_};
       }
 
@@ -70,20 +70,25 @@ namespace abut
                       low = low.cwiseMin(place);
                       high = high.cwiseMax(place);
                     });
+    const double near = near_share * (high - low).norm();
+    const auto is_regular = [&](const Vector2 &place) {
+      return std::none_of(singular_vertices.begin(), singular_vertices.end(),
+                          [&](const Vector2 &vertex) { return (place - vertex).norm() < near; });
+    };
     at_output_points.restart();
     StressField(body, deformation)
         .visit(output_points(space), [&](const Vector2 &place, double, const Stress &stress) {
           at_output_points.next(place);
           at_output_points.raise(peaks.von_mises, stress.von_mises());
+          if (is_regular(place))
+            at_output_points.raise(peaks.regular_von_mises, stress.von_mises());
         });
-    const double near = near_share * (high - low).norm();
     visit_gradients(space, space.quadrature(), deformation,
                     [&](const Vector2 &place, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
                       const double strain = largest_strain(gradient);
                       at_gauss_points.next(place);
                       at_gauss_points.raise(peaks.strain, strain);
-                      if (std::none_of(singular_vertices.begin(), singular_vertices.end(),
-                                       [&](const Vector2 &v) { return (place - v).norm() < near; }))
+                      if (is_regular(place))
                         at_gauss_points.raise(peaks.regular_strain, strain);
                     });
     return peaks;

@@ -2,6 +2,7 @@
 #include <abut/scene/repeated_parameters.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -60,11 +61,13 @@ namespace abut
       std::istringstream stream(line.text);
       std::string command;
       stream >> command;
+      std::transform(command.begin(), command.end(), command.begin(),
+                     [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
       if (command == "subsection")
         sections.push_back(words(stream, '\n'));
       else if (command == "end" && !sections.empty())
         sections.pop_back();
-      else if (command == "set" || command == "SET")
+      else if (command == "set")
       {
         std::string name;
         for (const std::string &section : sections)
@@ -78,6 +81,9 @@ namespace abut
     for (const auto &[name, parameter] : found)
       if (parameter.last_line > parameter.first_line)
         repeated.push_back(parameter);
+    std::sort(repeated.begin(), repeated.end(), [](const RepeatedParameter &a, const RepeatedParameter &b) {
+      return a.last_line < b.last_line;
+    });
     return repeated;
   }
 } // namespace abut

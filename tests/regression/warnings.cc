@@ -106,8 +106,10 @@ namespace
       {"rough-pressure", {fine_slave, {"Contact c/Multipliers=slave"}}, {fine_slave, {}}}, // twice as fine
       {"rough-pressure", {stiff_slave, {"Contact interface/Multipliers=slave"}}, {stiff_slave, {}}},
       {"singular-stress",
-       {patch, {"Body lower/Conditions=bottom: displacement: 0, 0"}},
-       {patch, {"Body lower/Conditions=" + rollers}}},
+       {"prm/corner.prm", {"Adaptation/Maximum passes=1"}},
+       {patch,
+        {"Body lower/Conditions=bottom: displacement: 0, 0", "Body lower/Poisson ratio=0",
+         "Body upper/Poisson ratio=0"}}},
       {"missed-contact",
        {corner_on_face, {}},
        {corner_on_face, {"Body punch/Cells=160, 160", "Body block/Cells=240, 80"}}},
@@ -179,6 +181,84 @@ namespace
     };
     EXPECT_NE(check("-0.03").err.find("large-overlap"), std::string::npos);
     EXPECT_EQ(check("0").err, "");
+  }
+
+  /// Round a closed side, from where nothing comes to an end.
+  TEST(Warnings, SlidingAThousandTimesRoundADisc)
+  {
+    const Answer answer = answer_of(SceneRun{temporary_file("turned.prm", R"(set Bodies = disc, ring
+set Contacts = fit
+subsection Body disc
+  set Shape = disc
+  set Size = 1.001
+  set Cells = 32, 4
+  set Young modulus = 1e5
+  set Conditions = (0, 0): displacement: 0, 0
+end
+subsection Body ring
+  set Shape = ring
+  set Size = 1, 2
+  set Cells = 40, 4
+  set Young modulus = 1e5
+  set Conditions = outer: tangential displacement: 1e9; outer: normal displacement: 0
+end
+subsection Contact fit
+  set Slave = ring:inner
+  set Master = disc:outer
+end
+)"),
+                                             {}});
+    EXPECT_NE(answer.err.find("side-leaves-master"), std::string::npos) << answer.err;
+  }
+
+  /// Three patches far from each other: each is smooth, the mean over all between them says nothing.
+  TEST(Warnings, SeparatePatchesAreNotRough)
+  {
+    const Answer answer = answer_of(SceneRun{temporary_file("patches.prm", R"(set Bodies = a, b
+set Contacts = c
+subsection Body a
+  set Size = 16, 1
+  set Shift = -8, 1
+  set Cells = 640, 10
+  set Young modulus = 4e4
+  set Conditions = top: displacement: 0, -3e-4
+end
+subsection Body b
+  set Size = 16, 1
+  set Shift = -8, 0
+  set Cells = 340, 12
+  set Young modulus = 1e5
+  set Conditions = bottom: displacement: 0, 0
+end
+subsection Contact c
+  set Slave = b:top
+  set Master = a:bottom
+  set Gap = 0.01*(1-cos(2*pi*x/8))
+end
+)"),
+                                             {}});
+    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{}) << answer.err;
+  }
+
+  /// A quarter ring of a twentieth of its radius: its strain is the misfit by the radius, not by the depth.
+  TEST(Warnings, AThinRingTakesAMisfitUpByItsRadius)
+  {
+    const Answer answer =
+        run_scene("shrink-fit", {"Body ring/Size=1, 1.05", "Body disc/Size=1.0012", "Body ring/Cells=40, 2"});
+    EXPECT_EQ(warning_codes(answer).count("large-overlap"), 0u) << answer.err;
+  }
+
+  TEST(Warnings, KeywordsInCapitalsAreKnown)
+  {
+    const Answer answer = abut::testing::run(
+        {temporary_file(
+             "capitals.prm",
+             "SET Bodies = a, b\nSUBSECTION Body a\n  SET Cells = 2, 2\n  set Conditions = bottom: "
+             "displacement: 0, 0\nEND\nSUBSECTION Body b\n  SET Cells = 3, 3\n  set Conditions = "
+             "bottom: displacement: 0, 0\nEND\n"),
+         "--check"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(answer.err, "");
   }
 
   /// A peak at a reentrant corner, and one at the edge of a punch: those scenes are about them.

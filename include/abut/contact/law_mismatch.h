@@ -22,10 +22,11 @@ namespace abut
   struct LawMismatch
   {
     /**
-     * int p_h max(0, r_h) ds with r_h = theta p_h + g(u_h). For the solution p, u of the contact law, with
+     * int max over 0 <= p <= p_h of (p_h - p) max(0, r_h) - theta (p_h - p)^2 ds, r_h = theta p_h + g(u_h);
+     * without penalty int p_h max(0, r_h). For the solution p, u of the contact law, with
      * r = theta p + g >= 0, p >= 0 and p r = 0, and the exact response u^ to p_h
-     *   a(u^ - u, u_h - u) = <p_h - p, g_h - g> <= <p_h, r_h> + <p, max(0, -r_h)>,
-     * which is this sum with p_h in the place of p where the bodies penetrate.
+     *   a(u^ - u, u_h - u) = <p_h - p, g_h - g> <= <p_h - p, r_h> - theta |p_h - p|^2,
+     * which is at most this sum with p_h in the place of p where the bodies penetrate.
      */
     double law = 0.;
     /**

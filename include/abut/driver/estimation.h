@@ -32,9 +32,9 @@ namespace abut
      * with u^ the bodies' exact response to one pressure p_h and kappa^2 of LawMismatch. In every body B is
      * taken as its computed error, in which the better stress stands for the response to the traction that
      * its trace carries, plus the response to the rest of p_h. Relative to sqrt(N^2 - T^2), N the norm of
-     * u_h or, if less, of the better stress: ||u||_A is not below that where displacements drive the bodies,
-     * so a response that is wrong and large does not make the error look small. 1e3 at most.
-     * Not rigorous: the better stress, and what LawMismatch says.
+     * the better stress: ||u||_A is not below that where displacements drive the bodies (forces alone make it
+     * larger than ||u_h||_A), so a response that is wrong and large does not make the error look small. 1e3
+     * at most. Not rigorous: the better stress, and what LawMismatch says.
      */
     std::optional<double> bound() const;
     std::optional<double> energy_bound() const; ///< not relative: T

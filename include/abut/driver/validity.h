@@ -13,6 +13,11 @@ namespace abut
    */
   using Warnings = std::vector<Warning>;
 
+  inline void append(Warnings &all, const Warnings &more)
+  {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+
   /// Of the input, before anything is solved: what cancels, and overlap that linear elasticity cannot mean.
   Warnings input_warnings(const Scene &scene, const Model &model);
 

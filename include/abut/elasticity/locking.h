@@ -6,6 +6,9 @@
 
 namespace abut
 {
+  /// nu beyond which elements that lock give wrong results.
+  constexpr double largest_locking_ratio = .45;
+
   /**
    * Refuses (UserError) what no projection of the divergence mends above nu = .45, unless the body allows it
    * (Allow locking): triangles, which lock, and degree 1 where supports hold every side in both directions.

@@ -16,10 +16,11 @@ namespace abut
   /// The largest values of a body's fields.
   struct BodyPeaks
   {
-    Peak von_mises;      ///< over the output points
-    Peak displacement;   ///< length of the vector, over the output points
-    Peak strain;         ///< principal strain, by its size, over the Gauss points
-    Peak regular_strain; ///< the same farther from singular vertices than a hundredth of the body's diagonal
+    Peak von_mises;    ///< over the output points
+    Peak displacement; ///< length of the vector, over the output points
+    Peak strain;       ///< principal strain, by its size, over the Gauss points
+    /// The same farther from singular vertices than a hundredth of the body's diagonal.
+    Peak regular_von_mises, regular_strain;
   };
 
   /// The points of a reference cell at which the VTU file has values: p subdivisions of every edge.

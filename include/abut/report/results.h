@@ -59,6 +59,7 @@ namespace abut
     std::vector<std::size_t> parts;  ///< of the pair, along the cut side
     Eigen::VectorXd gaps;            ///< mean gap of every part, negative: penetration
     Eigen::VectorXd loads;           ///< p_k >= 0, in balance with the displacement
+    double round_off = 0.;           ///< a load that is none, beside those of all pairs
     Eigen::VectorXd pressures;       ///< as reported (see Partition)
     Vector2 force = Vector2::Zero(); ///< resultant on the slave side
     double normal_force = 0.;        ///< sum of D_k p_k
@@ -73,7 +74,7 @@ namespace abut
     std::vector<MissedContact> missed;
 
     const Part &part(const std::size_t k) const { return surface->partition().parts()[k]; }
-    bool presses(const std::size_t k) const { return loads[static_cast<Eigen::Index>(k)] > 0.; }
+    bool presses(const std::size_t k) const { return loads[static_cast<Eigen::Index>(k)] > round_off; }
   };
 
   /// Relative errors against the exact solution that the scene names.
