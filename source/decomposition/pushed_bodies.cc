@@ -22,6 +22,21 @@ namespace abut
       return result;
     }
 
+    /// Whether a load acts along any motion of the body to which one of the motions' terms belongs: it comes
+    /// to rest where the loads and what presses them back balance, and the overlap is gone.
+    bool is_loaded(const MotionTerms &motions, const Index term)
+    {
+      const auto &offsets = motions.all.offsets;
+      const auto body_of = [&](const Index k) {
+        return std::upper_bound(offsets.begin(), offsets.end(), motions.held[static_cast<std::size_t>(k)]) -
+               offsets.begin();
+      };
+      for (Index k = 0; k < motions.size(); ++k)
+        if (body_of(k) == body_of(term) && motions.loads[k] != 0.)
+          return true;
+      return false;
+    }
+
     [[noreturn]] void refuse(const std::string &motion, const double overlap)
     {
       std::ostringstream text;
@@ -59,8 +74,14 @@ namespace abut
     const NonnegativeFit fit = nonnegative_fit(forces, demand);
     const Eigen::VectorXd rest = (forces * fit.x - demand).cwiseAbs();
     const double size = std::max(demand.cwiseAbs().maxCoeff(), (forces.cwiseAbs() * fit.x).maxCoeff());
-    Index worst = 0;
-    if (fit.optimal && rest.maxCoeff(&worst) > balanced * size)
+    if (!fit.optimal)
+      return;
+    Index worst = -1;
+    for (Index i = 0; i < rest.size(); ++i)
+      if (rest[i] > balanced * size && (worst < 0 || rest[i] > rest[worst]) &&
+          !is_loaded(motions, free[static_cast<std::size_t>(i)]))
+        worst = i;
+    if (worst >= 0)
       refuse(motions.all.names[static_cast<std::size_t>(
                  motions.held[static_cast<std::size_t>(free[static_cast<std::size_t>(worst)])])],
              -gaps.minCoeff());

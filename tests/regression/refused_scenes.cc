@@ -44,6 +44,30 @@ TEST(RefusedScenes, ABodyThatContactPushesAwayIsNamed)
   EXPECT_EQ(run({project_file("tests/data/cases/not-held.prm"), "--check"}).status, 1);
 }
 
+// A block on a floor that a wall moves aside: it rests on the floor where the wall has left it.
+TEST(RefusedScenes, ALoadedBodyThatIsPushedAsideIsSolved)
+{
+  for (const std::string wall : {"set Shift = -0.9999, 0\n set Conditions = left: displacement: 0, 0",
+                                 "set Shift = -1.0001, 0\n set Conditions = left: displacement: 1e-3, 0"})
+  {
+    const Answer answer = run(
+        {temporary_file("pushed.prm", "set Bodies = block, floor, wall\nset Contacts = below, aside\n"
+                                      "subsection Body block\n set Cells = 8, 8\n"
+                                      " set Conditions = top: pressure: 10\n set Young modulus = 1e5\nend\n"
+                                      "subsection Body floor\n set Size = 3, 1\n set Shift = -1, -1\n"
+                                      " set Cells = 20, 6\n set Young modulus = 1e5\n"
+                                      " set Conditions = bottom: displacement: 0, 0\nend\n"
+                                      "subsection Body wall\n set Cells = 6, 6\n set Young modulus = 1e5\n " +
+                                          wall +
+                                          "\nend\nsubsection Contact below\n set Slave = block:bottom\n"
+                                          " set Master = floor:top\nend\nsubsection Contact aside\n"
+                                          " set Slave = block:left\n set Master = wall:right\nend\n")});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_NEAR(contact(answer, "below")["normal_force"].get<double>(), 10., 1e-9);
+    EXPECT_NEAR(contact(answer, "aside")["normal_force"].get<double>(), 0., 1e-9);
+  }
+}
+
 TEST(RefusedScenes, ABodyThatMerelyTouchesStays)
 {
   const Answer answer = run_refused_case(
