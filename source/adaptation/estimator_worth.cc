@@ -8,9 +8,9 @@ namespace abut
   std::optional<EstimatorWorth> estimator_worth(const EstimatorKind kind, const unsigned int degree)
   {
     using Degrees = std::array<EstimatorWorth, 3>;
-    constexpr Degrees kelly = {{{.8, 1.}, {.8, 1.6}, {.7, 1.8}}};
+    constexpr Degrees kelly = {{{.7, 1.1}, {.8, 1.6}, {.7, 1.8}}};
     constexpr Degrees zz = {{{.7, 1.1}, {.3, .8}, {.4, .9}}};
-    constexpr Degrees spr = {{{1., 1.9}, {1.2, 3.1}, {2.2, 6.6}}};
+    constexpr Degrees spr = {{{.9, 1.9}, {1.1, 3.1}, {2.1, 6.6}}};
     if (degree > 3)
       return {};
     switch (kind)

@@ -71,9 +71,10 @@ namespace
     const abut::EstimatorWorth told = abut::estimator_worth(kind, degree).value();
     EXPECT_GE(least, told.least);
     EXPECT_LE(most, told.most);
-    // ... and is no wider than it has to be.
-    EXPECT_LE(least, told.least + .1);
-    EXPECT_GE(most, told.most - .1);
+    // ... and is not much wider than it has to be.
+    constexpr double slack = .2;
+    EXPECT_LE(least, told.least + slack);
+    EXPECT_GE(most, told.most - slack);
   }
 
   std::vector<Worth> all_worths()
