@@ -42,8 +42,8 @@ namespace abut
     {
       for (const Stretch &stretch : pair.surface->partition().stretches())
         if (!stretch.closed)
-          for (const std::size_t part : {stretch.first, stretch.last - 1})
-            if (pair.presses(part) && !is_at_symmetry(*pair.surface, part))
+          for (const auto &[part, end] : {std::pair(stretch.first, 0u), std::pair(stretch.last - 1, 1u)})
+            if (pair.presses(part) && !is_at_symmetry(*pair.surface, part, end))
               return true;
       return false;
     }

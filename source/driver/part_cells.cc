@@ -5,12 +5,17 @@
 
 namespace abut
 {
-  bool is_at_symmetry(const ContactSurface &surface, const std::size_t part)
+  bool is_at_symmetry(const ContactSurface &surface, const std::size_t part, const std::size_t end)
   {
-    const Part &place = surface.partition().parts()[part];
-    const Trace &side = *surface.cut_sides()[place.side];
-    const Segment &segment = side.segments()[place.segment];
-    return side.is_plane_of_symmetry(segment, 0) || side.is_plane_of_symmetry(segment, 1);
+    const Piece *outermost = nullptr;
+    for (const Piece &piece : surface.partition().pieces())
+      if (piece.part == part && (!outermost || (piece.arc > outermost->arc) == (end == 1)))
+        outermost = &piece;
+    const auto pair = std::find_if(surface.pairs().begin(), surface.pairs().end(),
+                                   [&](const ContactPair &p) { return p.link() == outermost->link; });
+    const Trace &cut = *pair->cut_side().trace, &other = *pair->other_side().trace;
+    return cut.is_plane_of_symmetry(cut.segments()[outermost->cut_segment], end) &&
+           other.is_plane_of_symmetry(other.segments()[outermost->other_segment], 1 - end); // it runs back
   }
 
   std::vector<PartCell> part_cells(const ContactSurface &surface)

@@ -68,7 +68,7 @@ namespace abut
             length += pair.part(k).length;
             cell = std::max(cell, cells[k].shorter);
           }
-          if (is_at_symmetry(*pair.surface, run.front()) || is_at_symmetry(*pair.surface, run.back()))
+          if (is_at_symmetry(*pair.surface, run.front(), 0) || is_at_symmetry(*pair.surface, run.back(), 1))
             length *= 2.; // it goes on beyond the plane
           if (length >= fewest_cells * cell)
             continue;

@@ -62,6 +62,13 @@ TEST(ErrorBound, IsNotMadeSmallByALockedResponse)
 TEST(ErrorBound, IsAnEstimateWhereContactReachesAnEdge)
 {
   expect_estimate(run_case("edge-dropping", {by_boundary_elements}), "reaches an edge");
+  // One cell from the plane of symmetry to the edge.
+  expect_estimate(
+      run_scene("patch-test", {by_boundary_elements, "Body upper/Cells=1, 1",
+                               "Body upper/Conditions=left: normal displacement: 0; top: pressure: 1",
+                               "Body lower/Conditions=left: normal displacement: 0; bottom: "
+                               "normal displacement: 0; right: normal displacement: 0"}),
+      "reaches an edge");
 }
 
 TEST(ErrorBound, IsAnEstimateOnCurvedSides)

@@ -12,8 +12,8 @@ namespace abut
     double longer = 0.;
   };
 
-  /// Whether the cut side ends at a plane of symmetry within a part, or next to it.
-  bool is_at_symmetry(const ContactSurface &surface, std::size_t part);
+  /// Whether both sides have a plane of symmetry at the start (end = 0) or the end (1) of a part.
+  bool is_at_symmetry(const ContactSurface &surface, std::size_t part, std::size_t end);
 
   /// Of every part; of several cells along a part the longest.
   std::vector<PartCell> part_cells(const ContactSurface &surface);
