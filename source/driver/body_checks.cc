@@ -61,8 +61,7 @@ namespace abut
                << ", stands at (" << vertex.x() << ", " << vertex.y()
                << "), where the exact stress is infinite (a reentrant corner, a support that begins or ends, "
                   "a shear load that jumps): it grows with every refinement; look at the stress elsewhere, "
-                  "or round "
-                  "the corner";
+                  "or round the corner";
           return {{WarningCode::singular_stress, text.str()}};
         }
       return {};

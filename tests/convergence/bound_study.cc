@@ -52,8 +52,8 @@ namespace
       const SolvedScene scene("two-layers-rollers.prm", overrides(GetParam(), c));
       std::cout << "degree " << GetParam() << std::setw(5) << c.upper_columns << ':' << std::left
                 << std::setw(4) << c.lower_columns << std::right << "  E1/E2 " << std::setw(6) << c.stiffness
-                << "  nu " << std::setw(9) << digits_of(c.poisson_ratio) << "  c " << std::setw(6)
-                << c.penalty << "  bound/error";
+                << "  nu " << std::setw(9) << std::setprecision(8) << c.poisson_ratio << "  c "
+                << std::setw(6) << c.penalty << "  bound/error";
       for (const abut::PassRecord &pass : scene.results().passes)
       {
         ASSERT_TRUE(pass.effectivity_total.has_value());
@@ -76,6 +76,12 @@ namespace
                                        std::pair(32u, 32u), std::pair(64u, 16u), std::pair(64u, 4u)})
       for (const double stiffness : {1e-3, 1., 1e3})
         expect_bound({upper, lower, stiffness}, largest());
+  }
+
+  TEST_P(BoundStudy, holds_after_two_more_halvings)
+  {
+    for (const auto &[upper, lower] : {std::pair(64u, 64u), std::pair(128u, 128u)})
+      expect_bound({upper, lower, 1.}, largest());
   }
 
   TEST_P(BoundStudy, holds_with_penalties)

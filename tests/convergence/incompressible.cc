@@ -26,8 +26,9 @@ namespace
             {"force", errors.force.value()}};
   }
 
-  /// The errors of `errors(nu)` at most twice those of nu = .3, but for what p(0) may be off anyway and for
-  /// round-off, 1e-15 times a condition that grows like lambda/mu.
+  /// The errors of `errors(nu)` at most twice those of nu = .3, but for p(0), which with degree 1 is off by
+  /// up to 7 times as much and is only held below `peak_floor`, and for round-off, 1e-15 times a condition
+  /// that grows like lambda/mu.
   template <typename Compute>
   void expect_no_locking(const std::string &title, const double peak_floor, const Compute &errors)
   {

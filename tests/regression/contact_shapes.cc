@@ -127,20 +127,25 @@ TEST(ContactShapes, DiscsOnAxlesTurnFreely)
 
 TEST(ContactShapes, APairThatOtherBodiesHideCarriesNothing)
 {
-  const Answer answer = run_text(
-      "set Bodies = U, M, L\nset Contacts = um, ul, ml\n" +
-      shaped_body("U",
-                  " set Shift = 0, 2\n set Cells = 4, 4\n set Conditions = top: displacement: 0, -0.01") +
-      shaped_body("M", " set Size = 2, 1\n set Shift = -.5, 1\n set Cells = 5, 4\n set Conditions = left: "
-                       "normal displacement: 0") +
-      shaped_body("L", " set Size = 4, 1\n set Shift = -1, 0\n set Cells = 9, 2\n set Conditions = bottom: "
-                       "displacement: 0, 0") +
-      touching("um", "U:bottom", "M:top") + touching("ul", "U:bottom", "L:top") +
-      touching("ml", "M:bottom", "L:top"));
-  ASSERT_EQ(answer.status, 0) << answer.err;
-  EXPECT_EQ(normal_force_of(answer, "ul"), 0.);
-  EXPECT_EQ(warning_codes(answer).count("hidden-pair"), 1u) << answer.err;
-  EXPECT_NEAR(normal_force_of(answer, "um") / normal_force_of(answer, "ml"), 1., 1e-9);
+  const auto between = [](const std::string &middle) {
+    return run_text(
+        "set Bodies = U, M, L\nset Contacts = um, ul, ml\n" +
+        shaped_body("U",
+                    " set Shift = 0, 2\n set Cells = 4, 4\n set Conditions = top: displacement: 0, -0.01") +
+        shaped_body("M", middle + " set Conditions = left: normal displacement: 0") +
+        shaped_body("L", " set Size = 4, 1\n set Shift = -1, 0\n set Cells = 9, 2\n set Conditions = bottom: "
+                         "displacement: 0, 0") +
+        touching("um", "U:bottom", "M:top") + touching("ul", "U:bottom", "L:top") +
+        touching("ml", "M:bottom", "L:top"));
+  };
+  const Answer hidden = between(" set Size = 2, 1\n set Shift = -.5, 1\n set Cells = 5, 4\n");
+  ASSERT_EQ(hidden.status, 0) << hidden.err;
+  EXPECT_EQ(normal_force_of(hidden, "ul"), 0.);
+  EXPECT_EQ(warning_codes(hidden).count("hidden-pair"), 1u) << hidden.err;
+  EXPECT_NEAR(normal_force_of(hidden, "um") / normal_force_of(hidden, "ml"), 1., 1e-9);
+  const Answer seen = between(" set Size = .5, 1\n set Shift = .25, 1\n set Cells = 5, 4\n");
+  ASSERT_EQ(seen.status, 0) << seen.err;
+  EXPECT_EQ(warning_codes(seen).count("hidden-pair"), 0u) << seen.err;
 }
 
 TEST(ContactShapes, ARigidWedgeIsSymmetric)

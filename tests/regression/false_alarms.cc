@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Scenes of other readers on which checks of the results once spoke up without cause, or did not end.
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+using namespace abut::testing;
+
+namespace
+{
+  /// Round a closed side, from where nothing comes to an end.
+  TEST(FalseAlarms, SlidingAThousandTimesRoundADisc)
+  {
+    const Answer answer = run({temporary_file("turned.prm", R"(set Bodies = disc, ring
+set Contacts = fit
+subsection Body disc
+  set Shape = disc
+  set Size = 1.001
+  set Cells = 32, 4
+  set Young modulus = 1e5
+  set Conditions = (0, 0): displacement: 0, 0
+end
+subsection Body ring
+  set Shape = ring
+  set Size = 1, 2
+  set Cells = 40, 4
+  set Young modulus = 1e5
+  set Conditions = outer: tangential displacement: 1e9; outer: normal displacement: 0
+end
+subsection Contact fit
+  set Slave = ring:inner
+  set Master = disc:outer
+end
+)")});
+    EXPECT_NE(answer.err.find("side-leaves-master"), std::string::npos) << answer.err;
+  }
+
+  /// Three patches far from each other: each is smooth, the mean over all between them says nothing.
+  TEST(FalseAlarms, SeparatePatchesAreNotRough)
+  {
+    const Answer answer = run({temporary_file("patches.prm", R"(set Bodies = a, b
+set Contacts = c
+subsection Body a
+  set Size = 16, 1
+  set Shift = -8, 1
+  set Cells = 640, 10
+  set Young modulus = 4e4
+  set Conditions = top: displacement: 0, -3e-4
+end
+subsection Body b
+  set Size = 16, 1
+  set Shift = -8, 0
+  set Cells = 340, 12
+  set Young modulus = 1e5
+  set Conditions = bottom: displacement: 0, 0
+end
+subsection Contact c
+  set Slave = b:top
+  set Master = a:bottom
+  set Gap = 0.01*(1-cos(2*pi*x/8))
+end
+)")});
+    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{}) << answer.err;
+  }
+
+  /// A quarter ring of a twentieth of its radius: its strain is the misfit by the radius, not by the depth.
+  TEST(FalseAlarms, AThinRingTakesAMisfitUpByItsRadius)
+  {
+    const Answer answer =
+        run_scene("shrink-fit", {"Body ring/Size=1, 1.05", "Body disc/Size=1.0012", "Body ring/Cells=40, 2"});
+    EXPECT_EQ(warning_codes(answer).count("large-overlap"), 0u) << answer.err;
+  }
+
+  TEST(FalseAlarms, KeywordsInCapitalsAreKnown)
+  {
+    const Answer answer =
+        run({temporary_file(
+                 "capitals.prm",
+                 "SET Bodies = a, b\nSUBSECTION Body a\n  SET Cells = 2, 2\n  set Conditions = bottom: "
+                 "displacement: 0, 0\nEND\nSUBSECTION Body b\n  SET Cells = 3, 3\n  set Conditions = "
+                 "bottom: displacement: 0, 0\nEND\n"),
+             "--check"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(answer.err, "");
+  }
+
+  /// A wall that merely touches a block at rest: its pressures are round-off, no narrow contact.
+  TEST(FalseAlarms, RoundOffIsNoContact)
+  {
+    const Answer answer = run({temporary_file("touching.prm", R"(set Bodies = block, floor, wall
+set Contacts = below, aside
+subsection Body block
+  set Cells = 8, 8
+  set Young modulus = 1e5
+  set Conditions = top: pressure: 10
+end
+subsection Body floor
+  set Size = 3, 1
+  set Shift = -1, -1
+  set Cells = 20, 6
+  set Young modulus = 1e5
+  set Conditions = bottom: displacement: 0, 0
+end
+subsection Body wall
+  set Shift = -1, 0
+  set Cells = 6, 6
+  set Young modulus = 1e5
+  set Conditions = left: displacement: 0, 0
+end
+subsection Contact below
+  set Slave = block:bottom
+  set Master = floor:top
+end
+subsection Contact aside
+  set Slave = block:left
+  set Master = wall:right
+end
+)")});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{}) << answer.err;
+    EXPECT_NEAR(contact(answer, "below")["normal_force"].get<double>(), 10., 1e-9);
+  }
+} // namespace
