@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
-#include <abut/elasticity/stress_field.h>
+#include <abut/bodies/finite_elements/stress_field.h>
 
 #include <cmath>
 

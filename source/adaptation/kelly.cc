@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
 #include <abut/adaptation/kelly.h>
-#include <abut/elasticity/assembly.h>
-#include <abut/elasticity/boundary_traction.h>
-#include <abut/elasticity/stress_field.h>
+#include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/boundary_traction.h>
+#include <abut/bodies/finite_elements/stress_field.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/matrix_free/fe_point_evaluation.h>

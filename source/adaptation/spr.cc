@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/patches.h>
 #include <abut/adaptation/spr.h>
-#include <abut/elasticity/boundary_traction.h>
-#include <abut/elasticity/stress_field.h>
+#include <abut/bodies/finite_elements/boundary_traction.h>
+#include <abut/bodies/finite_elements/stress_field.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
 #include <abut/adaptation/zz.h>
-#include <abut/elasticity/stress_field.h>
+#include <abut/bodies/finite_elements/stress_field.h>
 
 namespace abut
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/directions.h>
+#include <abut/base/user_error.h>
 #include <abut/bem/boundary_problem.h>
-#include <abut/elasticity/side_conditions.h>
-#include <abut/user_error.h>
 
 #include <Eigen/SVD>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/bem/boundary_space.h>
 #include <abut/bem/legendre_moments.h>
-#include <abut/user_error.h>
 
 #include <deal.II/fe/fe_q.h>
 

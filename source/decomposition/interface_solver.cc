@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/decomposition/conjugate.h>
-#include <abut/decomposition/initial_guess.h>
 #include <abut/decomposition/interface_solver.h>
-#include <abut/decomposition/neumann.h>
-#include <abut/decomposition/newton.h>
+#include <abut/decomposition/schemes/conjugate.h>
+#include <abut/decomposition/schemes/initial_guess.h>
+#include <abut/decomposition/schemes/neumann.h>
+#include <abut/decomposition/schemes/newton.h>
 #include <abut/decomposition/spectrum.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/sparse_cholesky.h>
+#include <abut/base/user_error.h>
 #include <abut/decomposition/model_compliance.h>
-#include <abut/elasticity/sparse_cholesky.h>
-#include <abut/user_error.h>
 
 #include <Eigen/Cholesky>
 

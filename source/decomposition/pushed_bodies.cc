@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/decomposition/nonnegative_fit.h>
+#include <abut/base/user_error.h>
 #include <abut/decomposition/pushed_bodies.h>
-#include <abut/user_error.h>
+#include <abut/decomposition/schemes/nonnegative_fit.h>
 
 #include <algorithm>
 #include <sstream>

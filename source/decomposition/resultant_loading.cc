@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/decomposition/resultant_loading.h>
-#include <abut/user_error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/mesh/jacobians.h>
 #include <abut/mesh/manifolds.h>
 #include <abut/mesh/mesh_file.h>
 #include <abut/mesh/raw_mesh.h>
 #include <abut/mesh/shapes.h>
-#include <abut/user_error.h>
 
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/mapping_fe.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/text.h>
+#include <abut/base/user_error.h>
 #include <abut/mesh/mesh_file.h>
-#include <abut/scene/text.h>
-#include <abut/user_error.h>
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>

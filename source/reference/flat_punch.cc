@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/reference/flat_punch.h>
-#include <abut/user_error.h>
 
 #include <boost/math/constants/constants.hpp>
 

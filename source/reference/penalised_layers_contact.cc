@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/reference/contact_width.h>
 #include <abut/reference/penalised_layers_contact.h>
 #include <abut/reference/spline_basis.h>
-#include <abut/user_error.h>
 
 #include <Eigen/LU>
 

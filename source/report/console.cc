@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/numbers.h>
 #include <abut/report/console.h>
-#include <abut/report/counts.h>
-#include <abut/report/numbers.h>
 #include <abut/report/summary.h>
+#include <abut/results/counts.h>
 
 #include <cmath>
 #include <ostream>

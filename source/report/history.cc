@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/numbers.h>
 #include <abut/report/history.h>
-#include <abut/report/numbers.h>
 
 #include <sstream>
 

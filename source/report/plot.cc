@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/report/numbers.h>
+#include <abut/base/numbers.h>
 #include <abut/report/plot.h>
 #include <abut/report/svg.h>
 

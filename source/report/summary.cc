@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/mesh/quality.h>
-#include <abut/report/counts.h>
 #include <abut/report/json.h>
 #include <abut/report/pass_summary.h>
 #include <abut/report/summary.h>
+#include <abut/results/counts.h>
 
 #include <deal.II/base/config.h>
 

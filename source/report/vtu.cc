@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/elasticity/stress_field.h>
+#include <abut/bodies/finite_elements/stress_field.h>
 #include <abut/report/deformed.h>
 #include <abut/report/svg.h>
 #include <abut/report/vtu.h>

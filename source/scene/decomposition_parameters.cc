@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/text.h>
 #include <abut/scene/decomposition_parameters.h>
-#include <abut/scene/text.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/scene/preamble.h>
 #include <abut/scene/section.h>
-#include <abut/user_error.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/text.h>
 #include <abut/scene/preamble.h>
 #include <abut/scene/scene.h>
 #include <abut/scene/scheme_checks.h>
 #include <abut/scene/section.h>
-#include <abut/scene/text.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Boundary elements for a smooth field, on polygons that do not depend on the mesh.
-#include <abut/user_error.h>
+#include <abut/base/user_error.h>
 
 #include <gtest/gtest.h>
 

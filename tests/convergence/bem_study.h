@@ -2,9 +2,9 @@
 // Boundary elements on polygons with the data of a field known exactly.
 #pragma once
 
+#include <abut/base/material.h>
 #include <abut/bem/boundary_problem.h>
 #include <abut/bem/interior_stress.h>
-#include <abut/elasticity/material.h>
 
 #include <functional>
 #include <vector>

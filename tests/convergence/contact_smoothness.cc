@@ -7,7 +7,7 @@
 // of the loads p_k (e_k: less the exact mean over the part) and of the reported pressures (e_k: less the
 // exact pressure at the place).
 #include <abut/decomposition/interface_solver.h>
-#include <abut/driver/model.h>
+#include <abut/run/model.h>
 
 #include <gtest/gtest.h>
 

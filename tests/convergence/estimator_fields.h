@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/elasticity/material.h>
-#include <abut/vector2.h>
+#include <abut/base/material.h>
+#include <abut/base/vector2.h>
 
 #include <complex>
 #include <functional>

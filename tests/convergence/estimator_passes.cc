@@ -2,8 +2,8 @@
 #include "estimator_passes.h"
 
 #include <abut/adaptation/marking.h>
-#include <abut/driver/quality.h>
-#include <abut/report/quality_table.h>
+#include <abut/comparison/quality.h>
+#include <abut/study/quality_table.h>
 
 #include "solved_scene.h"
 #include <iostream>

@@ -3,8 +3,8 @@
 // Hertz's line contact between any two bodies: half and whole models, either side the slave, rigid and soft,
 // flat and round, like and unlike. Both bodies are as large as the radius, so that their deviation from
 // half-planes is of the order (a/R)^2 too.
-#include <abut/driver/simulation.h>
 #include <abut/reference/hertz.h>
+#include <abut/run/simulation.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "smooth_solution.h"
 
-#include <abut/elasticity/stress_field.h>
+#include <abut/bodies/finite_elements/stress_field.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/driver/simulation.h>
+#include <abut/run/simulation.h>
 
 #include <gtest/gtest.h>
 

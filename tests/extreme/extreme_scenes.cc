@@ -2,7 +2,7 @@
 //
 // Stiff, nearly incompressible, tiny and huge scenes: right results, or a message; never nonsense.
 
-#include <abut/elasticity/material.h>
+#include <abut/base/material.h>
 
 #include <gtest/gtest.h>
 

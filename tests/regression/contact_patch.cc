@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Patch tests: uniform pressure and stress through any cover, several bodies, any degree.
-#include <abut/driver/simulation.h>
+#include <abut/run/simulation.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program.h"
 
-#include <abut/driver/command_line.h>
+#include <abut/program/command_line.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // What the program answers when nothing is wrong.
 
-#include <abut/driver/command_line.h>
+#include <abut/program/command_line.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // What the program says where its model or its mesh ends: each warning has a scene that triggers it and a
 // neighbour that does not; both are told by the code.
 
-#include <abut/report/warning.h>
+#include <abut/results/warning.h>
 
 #include <gtest/gtest.h>
 

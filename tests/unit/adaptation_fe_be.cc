@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Boundary against finite elements: fields that both hold exactly, fields that they do not.
-#include "adaptation_boundary_testing.h"
+#include "boundary_elements_testing.h"
 
 using namespace abut;
 

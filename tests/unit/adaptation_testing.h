@@ -3,7 +3,7 @@
 
 #include <abut/adaptation/indicator.h>
 
-#include "elasticity_testing.h"
+#include "finite_elements_testing.h"
 #include <functional>
 
 namespace abut

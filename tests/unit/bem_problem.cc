@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The mixed boundary value problem: linear fields, which boundary elements hold exactly, with every mix of
 // conditions; free rigid motions; loads that are not balanced.
-#include <abut/user_error.h>
+#include <abut/base/user_error.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <abut/contact/contact_surface.h>
 #include <abut/trace/applied_traction.h>
 
-#include "elasticity_testing.h"
+#include "finite_elements_testing.h"
 
 using namespace abut;
 

@@ -2,7 +2,7 @@
 // Pairs of sides: penalty, layer compliance, gap, sides that do not face.
 #include <abut/contact/contact_surface.h>
 
-#include "elasticity_testing.h"
+#include "finite_elements_testing.h"
 
 using namespace abut;
 

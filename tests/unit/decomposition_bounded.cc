@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Small problems with bounds against all their active sets.
-#include <abut/decomposition/nonnegative_fit.h>
-#include <abut/decomposition/projected_gradients.h>
-#include <abut/user_error.h>
+#include <abut/base/user_error.h>
+#include <abut/decomposition/schemes/nonnegative_fit.h>
+#include <abut/decomposition/schemes/projected_gradients.h>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Motions that contact holds, hardly notices, or leaves free.
+#include <abut/base/user_error.h>
 #include <abut/decomposition/motion_terms.h>
-#include <abut/user_error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The scheme newton: against independent solutions, at every penalty and stiffness ratio.
-#include <abut/decomposition/contact_guess.h>
 #include <abut/decomposition/interface_solver.h>
-#include <abut/decomposition/newton.h>
+#include <abut/decomposition/schemes/contact_guess.h>
+#include <abut/decomposition/schemes/newton.h>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How active sets change: min x . Q x / 2 + b . x over x >= 0 by solutions on sets alone.
-#include <abut/decomposition/pivoting.h>
+#include <abut/decomposition/schemes/pivoting.h>
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>

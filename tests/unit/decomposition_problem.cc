@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The interface problem, its compliance, spectrum and initial guesses.
-#include <abut/decomposition/initial_guess.h>
-#include <abut/decomposition/neumann.h>
+#include <abut/decomposition/schemes/initial_guess.h>
+#include <abut/decomposition/schemes/neumann.h>
 #include <abut/decomposition/spectrum.h>
 
 #include <Eigen/Eigenvalues>

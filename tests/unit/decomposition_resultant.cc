@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The displacement of a rigid side that carries a given force.
+#include <abut/base/user_error.h>
 #include <abut/decomposition/resultant_loading.h>
-#include <abut/user_error.h>
 
 #include <gtest/gtest.h>
 

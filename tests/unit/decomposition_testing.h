@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/finite_elements/body.h>
 #include <abut/decomposition/interface_problem.h>
-#include <abut/elasticity/body.h>
 #include <abut/scene/scene.h>
 
 #include <memory>

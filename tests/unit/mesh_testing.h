@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/user_error.h>
 #include <abut/mesh/body_mesh.h>
-#include <abut/user_error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The reentrant corner: Hooke's law and equilibrium by differences, free faces, exponent, symmetry.
+#include <abut/base/user_error.h>
 #include <abut/reference/reentrant_corner.h>
-#include <abut/user_error.h>
 
 #include <boost/math/constants/constants.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The exact solution of two layers: figures known to 12 digits, the contact condition, energy, limits.
-#include <abut/user_error.h>
+#include <abut/base/user_error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Two layers with a penalty: the contact law between the nodes, energy, and the limits of a small and a large
 // penalty.
+#include <abut/base/user_error.h>
 #include <abut/reference/layers_contact.h>
 #include <abut/reference/penalised_layers_contact.h>
-#include <abut/user_error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Piecewise polynomial pressures: potentials against series and integrals over the periodic kernel.
+#include <abut/base/user_error.h>
 #include <abut/reference/piecewise_pressure.h>
-#include <abut/user_error.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The flat punch: Hooke's law and equilibrium by differences, the boundary, the edge, the far field.
+#include <abut/base/user_error.h>
 #include <abut/reference/flat_punch.h>
-#include <abut/user_error.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The response of one layer to a pressure with jumps: boundary conditions, reciprocity, superposition, and
 // the contact pressure of LayersContact approximated by pieces.
-#include <abut/user_error.h>
+#include <abut/base/user_error.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/numbers.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/contact_csv.h>
 #include <abut/report/history.h>
-#include <abut/report/numbers.h>
 #include <abut/report/write_all.h>
 
 #include <nlohmann/json.hpp>

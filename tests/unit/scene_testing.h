@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/user_error.h>
+#include <abut/base/user_error.h>
 
 #include <gtest/gtest.h>
 

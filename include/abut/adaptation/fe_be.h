@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/adaptation/boundary_model.h>
+#include <abut/bodies/boundary_elements/boundary_model.h>
 
 #include <map>
 #include <memory>

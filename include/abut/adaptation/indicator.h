@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/elasticity/body.h>
+#include <abut/bodies/body_solution.h>
+#include <abut/bodies/boundary_elements/boundary_cost.h>
 #include <abut/scene/adaptation_parameters.h>
 
 #include <memory>
@@ -9,38 +10,6 @@
 
 namespace abut
 {
-  /// What an indicator looks at: one body and its present solution.
-  struct BodySolution
-  {
-    const Body &body;
-    const Eigen::VectorXd &deformation;    ///< all unknowns, less the rigid motion
-    const Eigen::VectorXd &contact_forces; ///< trace vector
-  };
-
-  /// What boundary elements cost: one body, one estimate. Seconds of wall clock.
-  struct BoundaryCost
-  {
-    Eigen::Index elements = 0;
-    Eigen::Index unknowns = 0;
-    unsigned int models = 0; ///< operators made for a new mesh
-    double assemble = 0.;    ///< operators and factors; zero where those of the mesh were there already
-    double solve = 0.;       ///< right side and solution
-    double evaluate = 0.;    ///< stress at the points
-
-    double seconds() const { return assemble + solve + evaluate; }
-    /// Of several bodies or estimates.
-    BoundaryCost &operator+=(const BoundaryCost &other)
-    {
-      elements += other.elements;
-      unknowns += other.unknowns;
-      models += other.models;
-      assemble += other.assemble;
-      solve += other.solve;
-      evaluate += other.evaluate;
-      return *this;
-    }
-  };
-
   /// Estimated errors of a body's stress sigma_F, by active cell index.
   struct CellErrors
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/material.h>
 #include <abut/bem/stress_group.h>
-#include <abut/elasticity/material.h>
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/elasticity/material.h>
+#include <abut/base/material.h>
 
 namespace abut
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/trace_body.h>
 #include <abut/contact/contact_surface.h>
-#include <abut/elasticity/trace_body.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/vector2.h>
 #include <abut/reference/exact_stress.h>
-#include <abut/vector2.h>
 
 namespace abut
 {

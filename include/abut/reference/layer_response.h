@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/vector2.h>
 #include <abut/reference/exact_stress.h>
 #include <abut/reference/layer.h>
 #include <abut/reference/periodic_pressure.h>
-#include <abut/vector2.h>
 
 #include <memory>
 #include <vector>

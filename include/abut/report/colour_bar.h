@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/vector2.h>
+#include <abut/base/vector2.h>
 
 #include <iosfwd>
 #include <limits>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/report/results.h>
-#include <abut/report/step_estimate.h>
+#include <abut/results/results.h>
+#include <abut/results/step_estimate.h>
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/report/json.h>
-#include <abut/report/results.h>
+#include <abut/results/results.h>
 
 namespace abut
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/decomposition/scheme.h>
-#include <abut/report/counts.h>
+#include <abut/results/counts.h>
 
 #include <chrono>
 #include <iosfwd>

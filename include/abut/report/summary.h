@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/report/results.h>
+#include <abut/results/results.h>
 
 #include <nlohmann/json_fwd.hpp>
 

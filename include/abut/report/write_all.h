@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/report/history.h>
-#include <abut/report/results.h>
+#include <abut/results/results.h>
 
 #include <string>
 #include <vector>

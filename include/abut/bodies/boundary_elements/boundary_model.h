@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/bem/interior_stress.h>
+#include <abut/bodies/boundary_elements/boundary_cost.h>
+#include <abut/bodies/boundary_elements/boundary_data.h>
+
+#include <memory>
+
+namespace abut
+{
+  /**
+   * A body's stress by boundary elements, sigma_B of (23), on the trace of its present mesh, which is split
+   * towards singular vertices (see GradedSides; not with the constant traction, the paper's, nor where the
+   * finite elements' own trace is taken). Made once for a
+   * mesh, it solves for any load with the operators of (20)'s body and evaluates the stress inside.
+   */
+  class BoundaryModel
+  {
+  public:
+    /// The body must outlive the model, which is that of its present mesh. Throws ComputationError.
+    BoundaryModel(const Body &body, BoundarySolution kind);
+
+    /// sigma_B at points inside the body (world frame), which answers the contact traction of `solution`.
+    /// Adds to the cost. Throws ComputationError.
+    std::vector<Stress> stress(const BodySolution &solution, const std::vector<Vector2> &points,
+                               BoundaryCost &cost) const;
+
+    /// Tractions and displacements on the boundary, scaled (see BoundaryState), less the uniform force's.
+    BoundaryState solve(const BodySolution &solution) const;
+    /// The same as densities for the stress: on each element du/ds gets the term of its degree that halves
+    /// its jumps at vertices and keeps its mean (not with the constant traction, nor across corners and
+    /// singular vertices).
+    BoundaryValues values(const BoundaryState &state) const;
+
+    const BoundarySpace &space() const { return *space_; }
+    Eigen::Index n_unknowns() const { return problem_ ? problem_->n_unknowns() : 0; }
+
+  private:
+    void smooth(Eigen::MatrixXcd &slope) const;
+    /// The known traction and, at supports, the one with the finite elements' reactions.
+    BoundaryState finite_element_state(const BodySolution &solution) const;
+
+    const Body &body_;
+    BoundarySolution kind_;
+    std::unique_ptr<GradedSides> sides_;
+    std::unique_ptr<BoundarySpace> space_;
+    std::unique_ptr<BoundaryData> data_;
+    std::unique_ptr<BoundaryProblem> problem_; ///< none with the trace of the finite elements
+  };
+} // namespace abut

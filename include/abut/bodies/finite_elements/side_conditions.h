@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/bodies/finite_elements/body.h>
+
+#include <map>
+#include <vector>
+
+namespace abut
+{
+  /// What the scene prescribes on the sides of a body (conditions at single points aside).
+  class SideConditions
+  {
+  public:
+    /// The body must outlive the object.
+    explicit SideConditions(const Body &body);
+
+    /// Independent unit directions along which supports prescribe the displacement where the outward unit
+    /// normal is n: none, one, or the two axes.
+    std::vector<Vector2> supported(dealii::types::boundary_id boundary, const Vector2 &normal) const;
+
+    /// The prescribed traction at a point: force per area, world frame; zero on free sides.
+    Vector2 traction(dealii::types::boundary_id boundary, const Vector2 &point, const Vector2 &normal) const;
+
+  private:
+    const std::vector<const Condition *> &conditions(dealii::types::boundary_id boundary) const;
+
+    const Body &body_;
+    std::map<dealii::types::boundary_id, std::vector<const Condition *>> conditions_;
+  };
+} // namespace abut

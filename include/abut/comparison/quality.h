@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/comparison/exact_solution.h>
+#include <abut/results/estimation.h>
+#include <abut/results/estimator_quality.h>
+
+namespace abut
+{
+  /// Empty where the solution does not know the response to the applied traction.
+  std::optional<EstimatorQuality> estimator_quality(const ExactSolution &exact, const Estimation &estimation,
+                                                    const std::vector<BodyResult> &bodies,
+                                                    const std::vector<PairResult> &pairs);
+} // namespace abut

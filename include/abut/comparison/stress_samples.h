@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/comparison/exact_solution.h>
+
+namespace abut
+{
+  /// A quadrature point of a body in the body's own frame, with the stress of the finite elements there.
+  struct StressSample
+  {
+    Vector2 own_point;
+    double weight; ///< area
+    Stress computed;
+  };
+
+  /// Cell by cell.
+  std::vector<StressSample> stress_samples(const BodyResult &result, const dealii::Quadrature<2> &rule);
+
+  /// A stress of the plane in the own frame of a body.
+  Stress in_own_frame(const Stress &stress, const Placement &placement);
+
+  /// An exact stress at the samples; in parallel.
+  std::vector<Stress> at_samples(const OwnStress &exact, const std::vector<StressSample> &samples);
+} // namespace abut

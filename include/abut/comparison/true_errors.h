@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/comparison/exact_solution.h>
+
+namespace abut
+{
+  /**
+   * Relative errors against an exact solution, as far as it tells (iteration is part of the error, and so is
+   * the penalty unless the solution has it too): energy norm of all bodies' displacement; stress in L2 over
+   * the components xx, yy, zz and twice xy, all bodies; pressure sum p_i phi_i of the first pair in L2 on the
+   * slave side; its contact force.
+   */
+  TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
+                         const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs);
+} // namespace abut

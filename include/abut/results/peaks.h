@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/bodies/finite_elements/body.h>
+
+namespace abut
+{
+  /// The largest value of a field, and where it is.
+  struct Peak
+  {
+    double value = 0.;
+    Vector2 place = Vector2::Zero(); ///< undeformed
+    unsigned int cell = 0;           ///< active cell index
+  };
+
+  /// The largest values of a body's fields.
+  struct BodyPeaks
+  {
+    Peak von_mises;    ///< over the output points
+    Peak displacement; ///< length of the vector, over the output points
+    Peak strain;       ///< principal strain, by its size, over the Gauss points
+    /// The same farther from singular vertices than a hundredth of the body's diagonal.
+    Peak regular_von_mises, regular_strain;
+  };
+
+  /// The points of a reference cell at which the VTU file has values: p subdivisions of every edge.
+  dealii::Quadrature<2> output_points(const Space &space);
+
+  /// `deformation`: the displacement less a rigid motion (see BodyResult).
+  BodyPeaks find_peaks(const Body &body, const Eigen::VectorXd &displacement,
+                       const Eigen::VectorXd &deformation, const std::vector<Vector2> &singular_vertices);
+} // namespace abut

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/adaptation/indicator.h>
+#include <abut/bodies/finite_elements/body.h>
+#include <abut/contact/contact_surface.h>
+#include <abut/decomposition/scheme.h>
+#include <abut/mesh/quality.h>
+#include <abut/results/counts.h>
+#include <abut/results/estimator_quality.h>
+#include <abut/results/peaks.h>
+#include <abut/results/warning.h>
+#include <abut/scene/scene.h>
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /// Wall-clock seconds by task.
+  struct Times
+  {
+    double mesh = 0., assemble = 0., factorise = 0., solve = 0., interface = 0., estimate = 0., adapt = 0.,
+           output = 0.;
+    double bem = 0.;       ///< boundary elements, added up over bodies that are computed side by side
+    double reference = 0.; ///< comparing with the exact solution
+  };
+
+  /// Seconds that the finite elements of a pass took, and what boundary elements cost beside them; all
+  /// bodies.
+  struct PassCost
+  {
+    double assemble = 0., factorise = 0., solve = 0.;
+    BoundaryCost boundary;
+  };
+
+  struct BodyResult
+  {
+    const Body *body = nullptr;
+    Eigen::VectorXd displacement;   ///< all unknowns
+    Eigen::VectorXd deformation;    ///< the same less the body's rigid motion: stresses come from this one
+    Eigen::VectorXd contact_forces; ///< a trace vector; that the estimated error refers to
+    double energy = 0.;             ///< strain energy
+    BodyPeaks peaks;
+    double rigid_displacement = 0.; ///< of the side that carries a given resultant
+    Reactions reactions;
+    Eigen::VectorXd eta;        ///< of each cell, where estimated
+    std::vector<Stress> better; ///< the estimator's better stress (CellErrors::better); may be empty
+  };
+
+  /// Vectors have an entry for every part of the surface, also of those that do not belong to the pair.
+  struct PairResult
+  {
+    const ContactPair *pair = nullptr;
+    const ContactSurface *surface = nullptr;
+    std::vector<std::size_t> parts;  ///< of the pair, along the cut side
+    Eigen::VectorXd gaps;            ///< mean gap of every part, negative: penetration
+    Eigen::VectorXd loads;           ///< p_k >= 0, in balance with the displacement
+    double round_off = 0.;           ///< a load that is none, beside those of all pairs
+    Eigen::VectorXd pressures;       ///< as reported (see Partition)
+    Vector2 force = Vector2::Zero(); ///< resultant on the slave side
+    double normal_force = 0.;        ///< sum of D_k p_k
+    double max_pressure = 0.;        ///< largest reported pressure
+    double contact_length = 0.;      ///< sum of D_k over the parts that press
+    double max_penetration = 0.;     ///< largest -g_k, 0 without contact
+    double min_gap = 0.;             ///< smallest g_k
+    NearestPoint nearest;            ///< smallest gap at a point
+    Eigen::VectorXd sliding;         ///< mean of every part, see ContactPair::sliding
+    double max_sliding = 0.;         ///< largest size over the parts that press
+    /// Overlap far from any part that presses: contact smaller than a part.
+    std::vector<MissedContact> missed;
+
+    const Part &part(const std::size_t k) const { return surface->partition().parts()[k]; }
+    bool presses(const std::size_t k) const { return loads[static_cast<Eigen::Index>(k)] > round_off; }
+  };
+
+  /// Relative errors against the exact solution that the scene names.
+  struct TrueErrors
+  {
+    std::optional<double> energy, stress, pressure, force;
+  };
+
+  /// How far the displacement stands from the limit of the iteration, where that limit is known.
+  struct LimitDistance
+  {
+    double displacement = 0.;  ///< contact displacement, largest over the bodies, relative, discrete norm
+    double energy = 0.;        ///< energy norm, relative
+    double peak_pressure = 0.; ///< the limit's, for comparison
+  };
+
+  /// What one pass, a mesh with its solution, has found. Errors are relative.
+  struct PassRecord
+  {
+    unsigned int pass = 0;
+    Counts counts;                                               ///< of all bodies
+    unsigned int steps = 0;                                      ///< of the decomposition in this pass
+    double increment = std::numeric_limits<double>::quiet_NaN(); ///< of the last of them
+    double iteration = std::numeric_limits<double>::quiet_NaN(); ///< see SchemeResult::iteration_error
+    std::optional<double> eta_max; ///< over the cells of the adapted bodies (of all, where none adapts)
+    std::optional<double> discretisation; ///< estimated, energy norm
+    std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
+    std::optional<double> total;          ///< root of the squares of discretisation and iteration; with fe-be
+                                          ///< the bound of both together (Estimation::bound)
+    std::string estimate_reason;          ///< why `total` is an estimate and no bound; empty where it is one
+    TrueErrors true_errors;
+    std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
+    std::optional<double> effectivity_total; ///< total by true_errors.energy
+    /// Energy norm of the difference from the solution of the pass before, by that of the solution.
+    std::optional<double> change;
+    double normal_force = 0., max_pressure = 0.; ///< sum and largest over the pairs
+    std::size_t n_missed = 0;                    ///< pieces of missed contact
+    std::vector<MeshQuality> meshes;             ///< body by body
+    PassCost cost;
+    double seconds = 0.; ///< since the run began, without comparing with the exact solution
+
+    bool error_is_bound() const { return total && estimate_reason.empty(); }
+    /// Estimated stress error by that against sigma*.
+    std::optional<double> effectivity() const
+    {
+      return quality ? std::optional<double>(quality->whole.effectivity()) : std::nullopt;
+    }
+  };
+
+  /// Why no further mesh was made, in a scene that adapts.
+  struct AdaptationEnd
+  {
+    std::string stopped_by; ///< limit, maximum passes, ...
+    std::string message;    ///< one sentence with cause and way out; empty when what was asked for is reached
+  };
+
+  /// Everything a run has found, for those who write it down.
+  struct Results
+  {
+    const Scene *scene = nullptr;
+    std::vector<BodyResult> bodies;
+    std::vector<PairResult> pairs;
+    SchemeResult iteration;
+    std::vector<PassRecord> passes;
+    std::optional<AdaptationEnd> adaptation_end;
+    std::optional<LimitDistance> limit_distance;
+    double rigid_displacement = 0.; ///< scheme neumann: of the one side that carries a given resultant
+    bool compliance_is_dense = false;
+    TrueErrors true_errors;
+    Times times;
+    std::vector<Warning> warnings;
+    std::vector<std::string> left_out; ///< what this scene did not need
+
+    bool converged() const
+    {
+      return iteration.converged() && (!adaptation_end || adaptation_end->message.empty());
+    }
+    /// Cause and way out where the run has not reached what it was asked for.
+    const std::string &message() const
+    {
+      return iteration.converged() && adaptation_end ? adaptation_end->message : iteration.message;
+    }
+    /// Decomposition steps of all passes.
+    unsigned int steps() const
+    {
+      unsigned int sum = 0;
+      for (const PassRecord &pass : passes)
+        sum += pass.steps;
+      return sum;
+    }
+  };
+} // namespace abut

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/results/results.h>
+#include <abut/run/model.h>
+
+namespace abut
+{
+  /**
+   * Where the linear, frictionless model ends, or the mesh: what a run says beside its numbers. One function
+   * a check, each returning the warnings it has; every threshold stands with its reason beside the check.
+   * doc/warnings.md lists them for users.
+   */
+  using Warnings = std::vector<Warning>;
+
+  inline void append(Warnings &all, const Warnings &more)
+  {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+
+  /// Of the input, before anything is solved: what cancels, and overlap that linear elasticity cannot mean.
+  Warnings input_warnings(const Scene &scene, const Model &model);
+
+  /// Of one body's solution: strains that are not small, a stress that is infinite.
+  Warnings body_warnings(const BodyResult &body);
+
+  /// Of one pair's displacements: the sides slide too far, or off each other; contact that was missed.
+  Warnings pair_warnings(const PairResult &pair);
+
+  /// Of the pressures of one surface (any of its pairs): too narrow for the mesh, or rough.
+  Warnings pressure_warnings(const PairResult &pair);
+
+  /// Of a scene none of whose pairs carries a force.
+  Warnings touch_warnings(const std::vector<PairResult> &pairs);
+
+  /// All of the above of a solved scene.
+  Warnings result_warnings(const Results &results);
+} // namespace abut

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/interface_problem.h>
+#include <abut/mesh/cell_marks.h>
+#include <abut/results/estimation.h>
+#include <abut/results/results.h>
+
+namespace abut
+{
+  /// Of every body's deformation and contact forces.
+  Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
+                      const std::vector<BodyResult> &bodies);
+
+  /// Of the bodies' displacements and the contact forces that the pressures of all parts make.
+  ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,
+                                   const std::vector<BodyResult> &bodies);
+
+  /**
+   * The cells to be changed, body by body: those that the marking of the scene chooses in bodies that adapt,
+   * and the cells on both sides of contact that is smaller than a cell (`PairResult::missed`).
+   */
+  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,
+                                  const std::vector<BodyResult> &bodies,
+                                  const std::vector<PairResult> &pairs);
+} // namespace abut

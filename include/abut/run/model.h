@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/comparison/exact_solution.h>
+#include <abut/decomposition/interface_problem.h>
+#include <abut/results/counts.h>
+
+#include <memory>
+
+namespace abut
+{
+  /// What is carried over to new meshes.
+  struct CarriedState
+  {
+    std::vector<Eigen::VectorXd> displacements; ///< of each body, all unknowns
+    Eigen::VectorXd pressures;                  ///< of all parts
+  };
+
+  /// The bodies and pairs of a scene on their present meshes.
+  class Model
+  {
+  public:
+    /// Makes and checks everything (UserError). The scene must outlive the model; `exact` may be null.
+    Model(const Scene &scene, const ExactSolution *exact);
+
+    const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
+    const std::vector<ContactSurface> &surfaces() const { return surfaces_; }
+    /// In the scene's order.
+    const std::vector<const ContactPair *> &pairs() const { return pairs_; }
+    /// The surface that a pair belongs to.
+    std::size_t surface_of(const std::size_t pair) const { return surface_of_[pair]; }
+    const InterfaceProblem &problem() const { return *problem_; }
+    /// Cells and unknowns of all bodies together.
+    Counts counts() const;
+
+    /// Assembles and factorises the bodies whose mesh is new.
+    void prepare(Times &times);
+
+    /**
+     * Changes the meshes of the bodies with marked cells, one entry of `marks` for each body, and makes the
+     * surfaces that see them anew. Nothing is done to other bodies. Fields are carried over, and pressures: a
+     * new part takes the mean of the old ones that it covers, by length, so that none becomes negative.
+     */
+    CarriedState adapt(const std::vector<CellMarks> &marks, const CarriedState &state);
+
+  private:
+    ContactBody contact_body(const Side &side) const;
+    PairInput pair_input(std::size_t index) const;
+    ContactSurface make_surface(const std::vector<std::size_t> &group) const;
+    void make_problem();
+    bool is_new(const ContactSurface &surface) const;
+
+    const Scene &scene_;
+    std::vector<std::unique_ptr<Body>> bodies_;
+    std::vector<std::vector<std::size_t>> groups_; ///< of pairs, a surface each
+    std::vector<std::size_t> surface_of_;
+    std::vector<ContactSurface> surfaces_;
+    std::vector<const ContactPair *> pairs_;
+    std::unique_ptr<InterfaceProblem> problem_;
+    std::vector<bool> is_prepared_;
+  };
+} // namespace abut

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/report/deformed.h>
+#include <abut/run/simulation.h>
+
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /// One pass of a run as figures show it. The body of interest is the last one that adapts, else the last.
+  struct ObservedPass
+  {
+    PassRecord record;
+    Counts counts;                       ///< of the body of interest
+    std::size_t boundary_unknowns = 0;   ///< of its boundary elements
+    std::size_t boundary_elements = 0;   ///< their number
+    std::size_t all_unknowns = 0;        ///< finite and boundary elements of all bodies
+    double estimate_seconds = 0.;        ///< of this pass
+    DrawnBody drawing;                   ///< the body, undeformed
+    std::vector<unsigned int> levels;    ///< how often each of its cells was split
+    Polyline contact_displacement;       ///< (x, u_n) of the last iterate at the nodes of its contact sides
+    Polyline pressure;                   ///< (x, p) at the nodes of the first pair's slave side
+    Vector2 monitored = Vector2::Zero(); ///< its displacement at the point that was asked for
+  };
+
+  struct ObservedRun
+  {
+    std::string name;
+    std::vector<ObservedPass> passes;
+    bool converged = false; ///< has reached what it was asked for
+
+    const ObservedPass &last() const { return passes.back(); }
+  };
+
+  /// Runs a scene and keeps what figures show. `monitored`: a point of the body of interest. Throws UserError
+  /// (also where the point lies outside) and ComputationError.
+  ObservedRun observe_run(const Scene &scene, const std::string &name, const Vector2 &monitored);
+
+  /// The displacement of a body at a point of its undeformed shape (world frame). Throws UserError for a
+  /// point outside.
+  Vector2 displacement_at(const BodyResult &result, const Vector2 &point);
+} // namespace abut

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/study/study_table.h>
+
+namespace abut
+{
+  /**
+   * What the indicator of a variant is worth, a line for each pass whose exact response is known (see
+   * EstimatorQuality), empty without any: the true stress error, effectivity and C of all cells, then of the
+   * cells at the boundary, at the ends of contact and of the others; correlation of estimated and true cell
+   * errors (Pearson) and of their ranks.
+   */
+  std::string quality_table(const StudyRun &run);
+
+  /// The names of the same figures in study.csv, each after a comma.
+  std::string quality_header();
+  /// The figures of a pass, each after a comma; empty where nothing is known.
+  std::string quality_row(const PassRecord &pass);
+} // namespace abut

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/sparse_cholesky.h>
+#include <abut/base/user_error.h>
+
+#include <Eigen/CholmodSupport>
+
+// Exported by OpenBLAS alone: with another BLAS the address is null.
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+
+namespace abut
+{
+  struct SparseCholesky::Factor
+  {
+    Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> cholesky;
+  };
+
+  SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double> &matrix, const std::string &name)
+      : factor_(std::make_unique<Factor>())
+  {
+    factor_->cholesky.cholmod().print = 0;
+    const bool is_finite = matrix.coeffs().allFinite(); // CHOLMOD accepts NaN
+    if (is_finite)
+      factor_->cholesky.compute(matrix);
+    if (!is_finite || factor_->cholesky.info() != Eigen::Success)
+      throw ComputationError(
+          name +
+          ": the stiffness matrix could not be factorised (not positive definite); look for cells "
+          "with vanishing area, a Poisson ratio too near to 0.5, or numbers too large for the machine");
+  }
+
+  SparseCholesky::~SparseCholesky() = default;
+
+  Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_sides) const
+  {
+    return factor_->cholesky.solve(right_sides);
+  }
+
+  void use_one_blas_thread()
+  {
+    if (openblas_set_num_threads != nullptr)
+      openblas_set_num_threads(1);
+  }
+} // namespace abut

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/directions.h>
+#include <abut/base/user_error.h>
+#include <abut/bem/legendre_moments.h>
+#include <abut/bodies/boundary_elements/boundary_data.h>
+#include <abut/bodies/finite_elements/assembly.h>
+#include <abut/trace/applied_traction.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    Vector2 outward_normal(const BoundaryElement &element)
+    {
+      return Vector2(element.direction.imag(), -element.direction.real());
+    }
+
+    /// Scaled as boundary elements see it: force times length by the shear modulus.
+    Vector2 scaled_body_force(const Body &body, const BoundarySpace &space)
+    {
+      return body_force(body.description(), Vector2::Zero()) * space.unit_length() / body.material().mu();
+    }
+  } // namespace
+
+  Vector2 UniformForce::displacement(const Complex z) const
+  {
+    return -(1. - 2. * nu_) / (4. * (1. - nu_)) *
+           Vector2(force_.x() * z.real() * z.real(), force_.y() * z.imag() * z.imag());
+  }
+
+  Stress UniformForce::stress(const Complex z) const
+  {
+    const double along_x = force_.x() * z.real(), along_y = force_.y() * z.imag();
+    const double ratio = nu_ / (1. - nu_);
+    const double xx = -along_x - ratio * along_y, yy = -along_y - ratio * along_x;
+    return {xx, yy, 0., nu_ * (xx + yy)};
+  }
+
+  BoundaryData::BoundaryData(const Body &body, const GradedSides &sides, const BoundarySpace &space,
+                             const unsigned int load_degree)
+      : body_(body), sides_(sides), space_(space), load_degree_(load_degree),
+        prescribed_(Eigen::VectorXd::Zero(2 * space.n_coefficients())),
+        uniform_(scaled_body_force(body, space), body.material().poisson_ratio)
+  {
+    const SideConditions conditions(body);
+    const std::vector<dealii::types::boundary_id> &boundaries = sides.boundaries();
+    for (std::size_t i = 0; i < boundaries.size(); ++i)
+    {
+      const Trace &side = sides.sides()[i];
+      first_element_.push_back(supported_.size());
+      for (std::size_t k = 0; k < side.segments().size(); ++k)
+        supported_.push_back(
+            conditions.supported(boundaries[i], outward_normal(space.elements()[supported_.size()])));
+      add_prescribed(conditions, side, boundaries[i], first_element_[i]);
+    }
+    for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
+      contact_side_.push_back(static_cast<std::size_t>(
+          std::find(boundaries.begin(), boundaries.end(), body.contact_boundary(k)) - boundaries.begin()));
+    take_off_uniform_force();
+  }
+
+  void BoundaryData::add_prescribed(const SideConditions &conditions, const Trace &side,
+                                    const dealii::types::boundary_id boundary, std::size_t first_element)
+  {
+    for (const Segment &segment : side.segments())
+      add_moments(first_element++,
+                  traction_moments(side, segment,
+                                   [&](const Vector2 &point, const Vector2 &normal) {
+                                     return conditions.traction(boundary, point, normal);
+                                   }),
+                  prescribed_);
+  }
+
+  void BoundaryData::add_moments(const std::size_t element, const Eigen::MatrixX2d &moments,
+                                 Eigen::VectorXd &traction) const
+  {
+    const LagrangeBasis basis(static_cast<unsigned int>(moments.rows()) - 1);
+    const double unit = space_.elements()[element].length * space_.unit_length() * body_.material().mu();
+    const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    // P_k = sum_j P_k(eta_j) phi_j
+    for (Index j = 0; j < moments.rows(); ++j)
+    {
+      const auto p = legendre_values(2. * basis.nodes()[j] - 1.);
+      const Vector2 moment = free_part(supported_[element], moments.row(j).transpose()) / unit;
+      for (unsigned int k = 0; k <= load_degree_; ++k)
+        for (Index component = 0; component < 2; ++component)
+          traction[component * n + static_cast<Index>(element) * n_each + k] +=
+              (2. * k + 1.) * p[k] * moment[component];
+    }
+  }
+
+  void BoundaryData::take_off_uniform_force()
+  {
+    const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    uniform_support_ = Eigen::VectorXd::Zero(2 * n);
+    const auto traction = [&](const std::size_t element, const double eta) {
+      const Stress s = uniform_.stress(space_.elements()[element].point(eta));
+      const Vector2 normal = outward_normal(space_.elements()[element]);
+      return Vector2(s.xx * normal.x(), s.yy * normal.y());
+    };
+    const auto add = [&](const std::size_t element, const Vector2 &at_start, const Vector2 &at_end,
+                         Eigen::VectorXd &density) {
+      const Index row = static_cast<Index>(element) * n_each;
+      for (Index component = 0; component < 2; ++component)
+      {
+        density[component * n + row] += .5 * (at_end + at_start)[component];
+        density[component * n + row + 1] += .5 * (at_end - at_start)[component];
+      }
+    };
+    for (std::size_t element = 0; element < supported_.size(); ++element)
+    {
+      const Vector2 at_start = traction(element, -1.), at_end = traction(element, 1.),
+                    free_start = free_part(supported_[element], at_start),
+                    free_end = free_part(supported_[element], at_end);
+      add(element, -free_start, -free_end, prescribed_);
+      add(element, at_start - free_start, at_end - free_end, uniform_support_);
+    }
+    uniform_displacement_.resize(2 * space_.n_nodes());
+    for (Index node = 0; node < space_.n_nodes(); ++node)
+    {
+      const Vector2 u = uniform_.displacement(space_.node_places()[static_cast<std::size_t>(node)]);
+      uniform_displacement_[node] = u.x();
+      uniform_displacement_[space_.n_nodes() + node] = u.y();
+    }
+  }
+
+  BoundaryState BoundaryData::known(const BodySolution &solution) const
+  {
+    BoundaryState state{prescribed_,
+                        space_.trace_of(sides_.extended(solution.deformation)) - uniform_displacement_};
+    for (std::size_t k = 0; k < body_.contact_sides().size(); ++k)
+    {
+      const Trace &side = body_.contact_sides()[k];
+      const auto size = 2 * static_cast<Index>(side.n_nodes());
+      const auto forces = solution.contact_forces.segment(body_.trace_offset(k), size);
+      add_contact(k, applied_traction(side, forces), state.traction);
+    }
+    return state;
+  }
+
+  void BoundaryData::add_contact(const std::size_t contact_side, const Eigen::VectorXd &traction,
+                                 Eigen::VectorXd &sum) const
+  {
+    const Trace &side = body_.contact_sides()[contact_side];
+    const std::size_t place = contact_side_[contact_side];
+    const Trace &graded = sides_.sides()[place];
+    for (std::size_t i = 0; i < graded.segments().size(); ++i)
+    {
+      const GradedSides::Piece &piece = sides_.pieces(place)[i];
+      const std::vector<unsigned int> &nodes = side.segments()[piece.segment].nodes;
+      Eigen::MatrixX2d values = Eigen::MatrixX2d::Zero(static_cast<Index>(nodes.size()), 2);
+      for (Index j = 0; j < values.rows(); ++j)
+      {
+        const Eigen::VectorXd shapes =
+            side.basis().values(piece.from + (piece.to - piece.from) * side.basis().nodes()[j]);
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+          values.row(j) += shapes[static_cast<Index>(n)] * traction.segment<2>(2 * nodes[n]).transpose();
+      }
+      add_moments(first_element_[place] + i, segment_mass(graded, graded.segments()[i]) * values, sum);
+    }
+  }
+
+  Eigen::VectorXd BoundaryData::support_traction(const Eigen::VectorXd &support_forces) const
+  {
+    const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
+    const auto at_nodes = supported_at_nodes(space_, supported_);
+    // Columns: a unit displacement of a node along a supported direction; each element sees its own part.
+    std::vector<Eigen::Triplet<double>> columns;
+    int n_columns = 0;
+    for (std::size_t node = 0; node < at_nodes.size(); ++node)
+      for (const Vector2 &direction : at_nodes[node])
+      {
+        for (int component = 0; component < 2; ++component)
+          columns.emplace_back(component * static_cast<int>(space_.n_nodes()) + static_cast<int>(node),
+                               n_columns, direction[component]);
+        ++n_columns;
+      }
+    Eigen::SparseMatrix<double> motions(2 * space_.n_nodes(), n_columns), seen(2 * n, 2 * n);
+    motions.setFromTriplets(columns.begin(), columns.end());
+    std::vector<Eigen::Triplet<double>> parts;
+    Eigen::VectorXd mass(2 * n);
+    for (std::size_t element = 0; element < supported_.size(); ++element)
+      for (Index k = 0; k < n_each; ++k)
+      {
+        const Index row = static_cast<Index>(element) * n_each + k;
+        mass[row] = mass[n + row] = space_.elements()[element].length / (2. * static_cast<double>(k) + 1.);
+        for (const Vector2 &d : supported_[element])
+          for (Index i = 0; i < 2; ++i)
+            for (Index j = 0; j < 2; ++j)
+              parts.emplace_back(static_cast<int>(i * n + row), static_cast<int>(j * n + row), d[i] * d[j]);
+      }
+    seen.setFromTriplets(parts.begin(), parts.end());
+    const Eigen::SparseMatrix<double> densities = seen * space_.displacements().values * motions;
+    const Eigen::SparseMatrix<double> matrix = densities.transpose() * mass.asDiagonal() * densities;
+    const Eigen::VectorXd forces =
+        motions.transpose() * space_.trace_of(support_forces) / body_.material().mu();
+    return densities * Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(forces) -
+           uniform_support_;
+  }
+
+  void check_boundary_elements(const Body &body)
+  {
+    const std::string begin = "Body " + body.name() + ": ";
+    const std::string end = "; Adaptation/Estimator = fe-be is for ";
+    for (const Expression &expression : body.description().body_force)
+      if (!expression.is_constant())
+        throw UserError(begin + "Body force = " + expression.text() + " is not uniform" + end +
+                        "uniform body forces (others: kelly, zz, spr)");
+    if (body.space().mesh().curved && body.space().degree() > 1)
+      throw UserError(begin + "Degree = " + std::to_string(body.space().degree()) +
+                      " follows its curved sides" + end +
+                      "bodies with straight edges (Degree = 1, or kelly, zz, spr)");
+  }
+} // namespace abut

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/projected_divergence.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    Eigen::SparseMatrix<double> zero_matrix(const dealii::DoFHandler<2> &dof_handler)
+    {
+      dealii::DynamicSparsityPattern pattern(dof_handler.n_dofs(), dof_handler.n_dofs());
+      dealii::DoFTools::make_sparsity_pattern(dof_handler, pattern);
+      const auto n = static_cast<Index>(dof_handler.n_dofs());
+      Eigen::SparseMatrix<double> matrix(n, n);
+      matrix.resizeNonZeros(static_cast<Index>(pattern.n_nonzero_elements()));
+      Index position = 0;
+      for (Index i = 0; i < n; ++i)
+      {
+        matrix.outerIndexPtr()[i] = static_cast<int>(position);
+        const auto row = static_cast<dealii::types::global_dof_index>(i);
+        for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
+          matrix.innerIndexPtr()[position++] = static_cast<int>(entry->column());
+      }
+      matrix.outerIndexPtr()[n] = static_cast<int>(position);
+      matrix.coeffs().setZero();
+      return matrix;
+    }
+
+    /// int lambda div u div v + 2 mu eps(u) : eps(v), the lower triangle.
+    dealii::FullMatrix<double> cell_stiffness(const dealii::FEValues<2> &values, const double lambda,
+                                              const double mu)
+    {
+      const auto &fe = values.get_fe();
+      dealii::FullMatrix<double> matrix(fe.n_dofs_per_cell());
+      for (const unsigned int q : values.quadrature_point_indices())
+        for (const unsigned int i : values.dof_indices())
+        {
+          const auto grad_i = values.shape_grad(i, q);
+          const unsigned int ci = fe.system_to_component_index(i).first;
+          for (unsigned int j = 0; j <= i; ++j)
+          {
+            const auto grad_j = values.shape_grad(j, q);
+            const unsigned int cj = fe.system_to_component_index(j).first;
+            matrix(i, j) += (lambda * grad_i[ci] * grad_j[cj] + mu * grad_i[cj] * grad_j[ci] +
+                             (ci == cj ? mu * (grad_i * grad_j) : 0.)) *
+                            values.JxW(q);
+          }
+        }
+      return matrix;
+    }
+
+    /// The same with P div in place of div.
+    dealii::FullMatrix<double> projected_cell_stiffness(const Cell &cell, const dealii::FEValues<2> &values,
+                                                        const double lambda, const double mu)
+    {
+      dealii::FullMatrix<double> matrix = cell_stiffness(values, 0., mu);
+      const CellPolynomials polynomials(cell, values.get_fe().degree - 1);
+      const Eigen::MatrixXd root = ProjectedDivergence(polynomials, values).root();
+      const Eigen::MatrixXd volumetric = lambda * (root.transpose() * root);
+      for (const unsigned int i : values.dof_indices())
+        for (unsigned int j = 0; j <= i; ++j)
+          matrix(i, j) += volumetric(i, j);
+      return matrix;
+    }
+  } // namespace
+
+  Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const Material &material)
+  {
+    Eigen::SparseMatrix<double> stiffness = zero_matrix(space.dof_handler());
+    const auto &fe = space.dof_handler().get_fe();
+    dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
+                               dealii::update_gradients | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
+    const bool projects = projects_divergence(space.mesh().cell_type, material.poisson_ratio);
+    const double lambda = material.lambda(), mu = material.mu();
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      values.reinit(cell);
+      cell->get_dof_indices(dofs);
+      const dealii::FullMatrix<double> matrix =
+          projects ? projected_cell_stiffness(cell, values, lambda, mu) : cell_stiffness(values, lambda, mu);
+      for (const unsigned int i : values.dof_indices())
+        for (const unsigned int j : values.dof_indices())
+          stiffness.coeffRef(static_cast<Index>(dofs[i]), static_cast<Index>(dofs[j])) +=
+              i >= j ? matrix(i, j) : matrix(j, i);
+    }
+    return stiffness;
+  }
+
+  Vector2 body_force(const BodyDescription &body, const Vector2 &point)
+  {
+    if (body.body_force.empty())
+      return Vector2::Zero();
+    const Vector2 own = body.placement.point_to_own(point);
+    return body.placement.direction_to_world(Vector2(body.body_force[0](own), body.body_force[1](own)));
+  }
+
+  void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load)
+  {
+    if (body.body_force.empty())
+      return;
+    const auto &fe = space.dof_handler().get_fe();
+    dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
+                               dealii::update_values | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      values.reinit(cell);
+      cell->get_dof_indices(dofs);
+      for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const auto p = values.quadrature_point(q);
+        const Vector2 force = body_force(body, Vector2(p[0], p[1]));
+        for (const unsigned int i : values.dof_indices())
+          load[static_cast<Index>(dofs[i])] +=
+              force[fe.system_to_component_index(i).first] * values.shape_value(i, q) * values.JxW(q);
+      }
+    }
+  }
+
+  Vector2 prescribed_traction(const Condition &condition, const Placement &placement, const Vector2 &point,
+                              const Vector2 &normal)
+  {
+    const Vector2 own = placement.point_to_own(point);
+    if (condition.kind == ConditionKind::pressure)
+      return -condition.expressions[0](own) * normal;
+    return placement.direction_to_world(
+        Vector2(condition.expressions[0](own), condition.expressions[1](own)));
+  }
+
+  Eigen::MatrixX2d traction_moments(const Trace &side, const Segment &segment, const SideTraction &traction)
+  {
+    const GaussRule rule = GaussRule::for_singular_ends(18);
+    Eigen::MatrixX2d moments = Eigen::MatrixX2d::Zero(static_cast<Index>(segment.nodes.size()), 2);
+    for (Index q = 0; q < rule.points.size(); ++q)
+    {
+      const double s = rule.points[q];
+      const Vector2 tangent = side.tangent(segment, s);
+      const Vector2 normal = Vector2(tangent.y(), -tangent.x()).normalized();
+      moments += rule.weights[q] * tangent.norm() * side.basis().values(s) *
+                 traction(side.point(segment, s), normal).transpose();
+    }
+    return moments;
+  }
+
+  void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
+                    Eigen::VectorXd &load)
+  {
+    for (const Segment &segment : side.segments())
+    {
+      const Eigen::MatrixX2d moments =
+          traction_moments(side, segment, [&](const Vector2 &point, const Vector2 &normal) {
+            return prescribed_traction(condition, placement, point, normal);
+          });
+      for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+        for (unsigned int component = 0; component < 2; ++component)
+          load[side.node_dofs()[segment.nodes[i]][component]] += moments(static_cast<Index>(i), component);
+    }
+  }
+} // namespace abut

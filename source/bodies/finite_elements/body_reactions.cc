@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The forces on a body and their balance.
+
+#include <abut/bodies/finite_elements/body.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    /// Sums forces and their moments about the middle of the nodes.
+    class Balance
+    {
+    public:
+      explicit Balance(const Nodes &nodes) : low_(nodes.places.front()), high_(low_)
+      {
+        for (const Vector2 &place : nodes.places)
+        {
+          low_ = low_.cwiseMin(place);
+          high_ = high_.cwiseMax(place);
+        }
+      }
+
+      void add(const Vector2 &place, const Vector2 &force)
+      {
+        const Vector2 arm = (place - .5 * (low_ + high_)) / (high_ - low_).norm();
+        sum_ += force;
+        moment_ += arm.x() * force.y() - arm.y() * force.x();
+        size_ += force.norm();
+      }
+      /// Adds the forces at all nodes and returns their resultant.
+      Vector2 add_all(const Nodes &nodes, const Eigen::VectorXd &forces)
+      {
+        const Vector2 before = sum_;
+        for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
+          add(nodes.places[i], {forces[nodes.dofs[i][0]], forces[nodes.dofs[i][1]]});
+        return sum_ - before;
+      }
+      double of_forces() const { return size_ > 0. ? sum_.norm() / size_ : 0.; }
+      double of_moments() const { return size_ > 0. ? std::abs(moment_) / size_ : 0.; }
+
+    private:
+      Vector2 low_, high_, sum_ = Vector2::Zero();
+      double moment_ = 0., size_ = 0.;
+    };
+
+    /// The parts of a support's force along the directions that it holds.
+    Vector2 shares(const SupportNode &node, const Vector2 &force)
+    {
+      if (node.directions.size() == 1)
+        return {force.dot(node.directions[0]), 0.};
+      Eigen::Matrix2d directions;
+      directions << node.directions[0], node.directions[1];
+      return directions.inverse() * force;
+    }
+  } // namespace
+
+  Reactions Body::reactions(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const
+  {
+    const Eigen::VectorXd support = support_forces(deformation, contact_forces);
+    const Nodes nodes = all_nodes(*space_);
+    std::vector<Vector2> places(space_->n_dofs());
+    for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
+      places[nodes.dofs[i][0]] = nodes.places[i];
+    Balance balance(nodes);
+    Reactions result;
+    result.applied = balance.add_all(nodes, load_);
+    result.contact = balance.add_all(nodes, trace_to_dofs_ * contact_forces);
+    for (const SupportNode &node : supports_.nodes)
+    {
+      const Vector2 along = shares(node, {support[node.dofs[0]], support[node.dofs[1]]});
+      for (std::size_t i = 0; i < node.directions.size(); ++i)
+      {
+        const Vector2 force = along[static_cast<Eigen::Index>(i)] * node.directions[i];
+        result.by_boundary.try_emplace(node.boundaries[i], Vector2::Zero()).first->second += force;
+        balance.add(places[node.dofs[0]], force);
+      }
+    }
+    result.equilibrium_residual = balance.of_forces();
+    result.moment_residual = balance.of_moments();
+    return result;
+  }
+} // namespace abut

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
+#include <abut/bodies/finite_elements/space.h>
+#include <abut/mesh/jacobians.h>
+#include <abut/trace/make_trace.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/solution_transfer.h>
+
+namespace abut
+{
+  namespace
+  {
+    constexpr unsigned int curve_degree = 4;
+
+    std::unique_ptr<dealii::FiniteElement<2>> scalar_element(const CellType type, const unsigned int degree)
+    {
+      if (type == CellType::triangles)
+        return std::make_unique<dealii::FE_SimplexP<2>>(degree);
+      return std::make_unique<dealii::FE_Q<2>>(degree);
+    }
+
+    bool has_flags(const dealii::Triangulation<2> &triangulation)
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->refine_flag_set() || cell->coarsen_flag_set())
+          return true;
+      return false;
+    }
+
+    /// H of Space::hanging_node_expansion.
+    Eigen::SparseMatrix<double> expansion(const dealii::AffineConstraints<double> &constraints,
+                                          const Eigen::Index n)
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index i = 0; i < n; ++i)
+      {
+        const auto dof = static_cast<dealii::types::global_dof_index>(i);
+        if (!constraints.is_constrained(dof))
+          entries.emplace_back(static_cast<int>(i), static_cast<int>(i), 1.);
+        else
+          for (const auto &[other, factor] : *constraints.get_constraint_entries(dof))
+            entries.emplace_back(static_cast<int>(i), static_cast<int>(other), factor);
+      }
+      Eigen::SparseMatrix<double> matrix(n, n);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    }
+  } // namespace
+
+  Space::Space(std::unique_ptr<BodyMesh> mesh, const unsigned int degree)
+      : mesh_(std::move(mesh)), mapping_(mesh_->mapping(degree)), dof_handler_(mesh_->triangulation)
+  {
+    if (mesh_->cell_type == CellType::triangles && degree > 2)
+      throw UserError("Body " + mesh_->name + "/Degree: degree " + std::to_string(degree) +
+                      " refused for triangles, allowed are 1 and 2");
+    quadrature_ = gauss_rule(*this, degree + 1);
+    element_ = std::make_unique<dealii::FESystem<2>>(*scalar_element(mesh_->cell_type, degree), 2);
+    distribute();
+  }
+
+  Space::~Space() = default;
+
+  void Space::distribute()
+  {
+    ++n_meshes_;
+    dof_handler_.distribute_dofs(*element_);
+    dealii::AffineConstraints<double> constraints;
+    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints);
+    constraints.close();
+    has_hanging_nodes_ = constraints.n_constraints() > 0;
+    hanging_.assign(dof_handler_.n_dofs(), false);
+    for (dealii::types::global_dof_index i = 0; i < dof_handler_.n_dofs(); ++i)
+      hanging_[i] = constraints.is_constrained(i);
+    expansion_ = expansion(constraints, n_dofs());
+  }
+
+  std::vector<Eigen::VectorXd> Space::adapt(const CellMarks &marks,
+                                            const std::vector<Eigen::VectorXd> &fields)
+  {
+    using Field = dealii::Vector<double>;
+    dealii::Triangulation<2> &triangulation = mesh_->triangulation;
+    std::vector<Field> old_fields;
+    for (const Eigen::VectorXd &field : fields)
+      old_fields.emplace_back(field.begin(), field.end());
+
+    set_flags(triangulation, marks);
+    triangulation.prepare_coarsening_and_refinement();
+    if (!has_flags(triangulation))
+      return fields;
+    dealii::SolutionTransfer<2, Field> transfer(dof_handler_);
+    if (!fields.empty())
+      transfer.prepare_for_coarsening_and_refinement(old_fields);
+    triangulation.execute_coarsening_and_refinement();
+    if (mesh_->curved)
+      check_jacobians(triangulation, *mapping_, degree(), "Body " + mesh_->name);
+    distribute();
+
+    std::vector<Field> new_fields(fields.size(), Field(dof_handler_.n_dofs()));
+    if (!fields.empty())
+      transfer.interpolate(old_fields, new_fields);
+    std::vector<Eigen::VectorXd> result;
+    for (const Field &field : new_fields)
+      result.push_back(expansion_ * Eigen::Map<const Eigen::VectorXd>(field.begin(), n_dofs()));
+    return result;
+  }
+
+  Trace Space::trace(const dealii::types::boundary_id boundary) const
+  {
+    const unsigned int degree = mesh_->curved ? curve_degree : 1;
+    return make_trace(dof_handler_, *mesh_->mapping(degree), degree, boundary);
+  }
+
+  Eigen::Matrix2d gradient_at(const dealii::FEValuesBase<2> &values, const unsigned int point,
+                              const std::vector<dealii::types::global_dof_index> &dofs,
+                              const Eigen::VectorXd &displacement)
+  {
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    for (const unsigned int i : values.dof_indices())
+    {
+      const auto component = values.get_fe().system_to_component_index(i).first;
+      const auto shape_gradient = values.shape_grad(i, point);
+      gradient.row(component) += displacement[static_cast<Eigen::Index>(dofs[i])] *
+                                 Eigen::RowVector2d(shape_gradient[0], shape_gradient[1]);
+    }
+    return gradient;
+  }
+
+  dealii::Quadrature<2> gauss_rule(const Space &space, const unsigned int n_points)
+  {
+    if (space.mesh().cell_type == CellType::triangles)
+      // Symmetric, where the points of QGaussSimplex depend on the order of the vertices.
+      return dealii::QWitherdenVincentSimplex<2>(n_points);
+    return dealii::QGauss<2>(n_points);
+  }
+
+  void visit_gradients(const Space &space, const dealii::Quadrature<2> &quadrature,
+                       const Eigen::VectorXd &displacement, const GradientVisitor &visitor)
+  {
+    dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(), quadrature,
+                               dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
+    const auto &fe = space.dof_handler().get_fe();
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      values.reinit(cell);
+      cell->get_dof_indices(dofs);
+      for (const unsigned int q : values.quadrature_point_indices())
+      {
+        Vector2 u = Vector2::Zero();
+        for (const unsigned int i : values.dof_indices())
+          u[fe.system_to_component_index(i).first] +=
+              displacement[static_cast<Eigen::Index>(dofs[i])] * values.shape_value(i, q);
+        const auto p = values.quadrature_point(q);
+        visitor(Vector2(p[0], p[1]), values.JxW(q), u, gradient_at(values, q, dofs, displacement));
+      }
+    }
+  }
+} // namespace abut

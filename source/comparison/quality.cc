@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/comparison/quality.h>
+#include <abut/comparison/stress_samples.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    /// Squared errors of every cell of a body.
+    struct CellSquares
+    {
+      Eigen::VectorXd computed, better;
+      double stress = 0.;
+    };
+
+    CellSquares cell_squares(const OwnStress &exact, const BodyResult &result,
+                             const std::vector<Stress> &better)
+    {
+      const dealii::Quadrature<2> rule = comparison_rule(result.body->space());
+      const Placement &placement = result.body->description().placement;
+      const std::vector<StressSample> samples = stress_samples(result, rule);
+      const std::vector<Stress> stresses = at_samples(exact, samples);
+      CellSquares squares;
+      squares.computed = squares.better =
+          Eigen::VectorXd::Zero(static_cast<Index>(samples.size() / rule.size()));
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        const auto cell = static_cast<Index>(i / rule.size());
+        squares.computed[cell] += samples[i].weight * (samples[i].computed - stresses[i]).square();
+        squares.stress += samples[i].weight * stresses[i].square();
+        if (!better.empty())
+          squares.better[cell] +=
+              samples[i].weight * (in_own_frame(better[i], placement) - stresses[i]).square();
+      }
+      return squares;
+    }
+
+    std::set<unsigned int> boundary_cells(const Space &space)
+    {
+      std::set<unsigned int> cells;
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (cell->at_boundary())
+          cells.insert(cell->active_cell_index());
+      return cells;
+    }
+
+    /// Places between a part that presses and one that does not.
+    std::vector<Vector2> contact_ends(const std::vector<PairResult> &pairs)
+    {
+      std::vector<Vector2> places;
+      for (const PairResult &pair : pairs)
+      {
+        const auto neighbours = pair.surface->partition().neighbours();
+        for (const std::size_t k : pair.parts)
+          for (const std::size_t neighbour : neighbours[k])
+            if (pair.presses(k) && !pair.presses(neighbour))
+              places.push_back(.5 * (pair.part(k).middle + pair.part(neighbour).middle));
+      }
+      return places;
+    }
+
+    /// Cells whose centre is nearer to a contact end than one and a half of their diameters.
+    std::set<unsigned int> contact_end_cells(const Space &space, const std::vector<Vector2> &ends)
+    {
+      std::set<unsigned int> cells;
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        for (const Vector2 &end : ends)
+          if (cell->center().distance({end.x(), end.y()}) < 1.5 * cell->diameter())
+            cells.insert(cell->active_cell_index());
+      return cells;
+    }
+
+    void add(const ErrorSquares &cell, ErrorSquares &sum)
+    {
+      sum.estimated += cell.estimated;
+      sum.computed += cell.computed;
+      sum.better += cell.better;
+    }
+
+    /// Equal values share their mean rank.
+    Eigen::VectorXd ranks(const Eigen::VectorXd &values)
+    {
+      std::vector<Index> order(static_cast<std::size_t>(values.size()));
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(),
+                [&](const Index i, const Index j) { return values[i] < values[j]; });
+      Eigen::VectorXd result(values.size());
+      for (auto first = order.begin(); first != order.end();)
+      {
+        const auto last =
+            std::find_if(first, order.end(), [&](const Index i) { return values[i] != values[*first]; });
+        const double mean = .5 * static_cast<double>((first - order.begin()) + (last - order.begin() - 1));
+        for (; first != last; ++first)
+          result[*first] = mean;
+      }
+      return result;
+    }
+
+    double correlation(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+    {
+      const Eigen::VectorXd u = a.array() - a.mean(), v = b.array() - b.mean();
+      return u.dot(v) / (u.norm() * v.norm());
+    }
+  } // namespace
+
+  std::optional<EstimatorQuality> estimator_quality(const ExactSolution &exact, const Estimation &estimation,
+                                                    const std::vector<BodyResult> &bodies,
+                                                    const std::vector<PairResult> &pairs)
+  {
+    EstimatorQuality quality;
+    quality.has_better = true;
+    const std::vector<Vector2> ends = contact_ends(pairs);
+    std::vector<double> estimated, computed;
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+    {
+      const OwnStress response = exact.response(a, bodies[a]);
+      if (!response)
+        return {};
+      const CellErrors &errors = estimation.errors[a];
+      const CellSquares squares = cell_squares(response, bodies[a], errors.better);
+      const Space &space = bodies[a].body->space();
+      const auto at_boundary = boundary_cells(space), at_end = contact_end_cells(space, ends);
+      quality.stress += squares.stress;
+      quality.has_better = quality.has_better && !errors.better.empty();
+      for (Index i = 0; i < errors.stress.size(); ++i)
+      {
+        const ErrorSquares cell{errors.stress[i] * errors.stress[i], squares.computed[i], squares.better[i]};
+        const auto index = static_cast<unsigned int>(i);
+        add(cell, quality.whole);
+        if (at_end.count(index) > 0)
+          add(cell, quality.contact_end);
+        add(cell, at_boundary.count(index) > 0 ? quality.boundary : quality.interior);
+        estimated.push_back(errors.stress[i]);
+        computed.push_back(std::sqrt(squares.computed[i]));
+      }
+    }
+    const auto n = static_cast<Index>(estimated.size());
+    const Eigen::Map<const Eigen::VectorXd> x(estimated.data(), n), y(computed.data(), n);
+    quality.pearson = correlation(x, y);
+    quality.spearman = correlation(ranks(x), ranks(y));
+    return quality;
+  }
+} // namespace abut

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bodies/finite_elements/stress_field.h>
+#include <abut/comparison/stress_samples.h>
+
+#include <tbb/parallel_for.h>
+
+namespace abut
+{
+  std::vector<StressSample> stress_samples(const BodyResult &result, const dealii::Quadrature<2> &rule)
+  {
+    const Placement &placement = result.body->description().placement;
+    std::vector<StressSample> samples;
+    StressField(*result.body, result.deformation)
+        .visit(rule, [&](const Vector2 &point, const double weight, const Stress &stress) {
+          samples.push_back({placement.point_to_own(point), weight, in_own_frame(stress, placement)});
+        });
+    return samples;
+  }
+
+  Stress in_own_frame(const Stress &s, const Placement &placement)
+  {
+    Eigen::Matrix2d axes, tensor;
+    axes << placement.direction_to_world(Vector2::UnitX()), placement.direction_to_world(Vector2::UnitY());
+    tensor << s.xx, s.xy, s.xy, s.yy;
+    const Eigen::Matrix2d own = axes.transpose() * tensor * axes;
+    return {own(0, 0), own(1, 1), own(0, 1), s.zz};
+  }
+
+  std::vector<Stress> at_samples(const OwnStress &exact, const std::vector<StressSample> &samples)
+  {
+    std::vector<Stress> stresses(samples.size());
+    tbb::parallel_for(std::size_t(0), samples.size(),
+                      [&](const std::size_t i) { stresses[i] = exact(samples[i].own_point); });
+    return stresses;
+  }
+} // namespace abut

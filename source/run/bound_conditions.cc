@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bodies/finite_elements/locking.h>
+#include <abut/run/bound_conditions.h>
+#include <abut/run/part_cells.h>
+
+namespace abut
+{
+  namespace
+  {
+    std::string of_estimator(const AdaptationParameters &parameters)
+    {
+      if (parameters.estimator != EstimatorKind::fe_be)
+        return "only Estimator = fe-be bounds the error, this one compares the finite elements with "
+               "themselves";
+      if (parameters.combined)
+        return "in the combined algorithm the boundary elements answer the pressures before the last step";
+      if (parameters.boundary_solution == BoundarySolution::finite_element_trace ||
+          parameters.boundary_solution == BoundarySolution::constant_traction)
+        return "these boundary elements (Boundary solution) are no better than the finite elements where the "
+               "stress is large";
+      return "";
+    }
+
+    std::string of_bodies(const std::vector<BodyResult> &bodies)
+    {
+      for (const BodyResult &result : bodies)
+        if (result.body->projects_divergence())
+          return "the projected divergence of the nearly incompressible body " + result.body->name() +
+                 " is left out of the theory";
+        else if (result.body->description().allow_locking &&
+                 result.body->material().poisson_ratio > largest_locking_ratio)
+          return "body " + result.body->name() + " is allowed to lock";
+        else if (result.body->space().mesh().curved)
+          return "the error of the straight edges that stand for the curved sides of body " +
+                 result.body->name() + " is not part of it";
+      return "";
+    }
+
+    /// Whether contact reaches an end of one of the sides, where pressures may be infinite and
+    /// penetrations are weighted with those found: an end of a stretch that is no plane of symmetry.
+    bool presses_with_an_edge(const PairResult &pair)
+    {
+      for (const Stretch &stretch : pair.surface->partition().stretches())
+        if (!stretch.closed)
+          for (const auto &[part, end] : {std::pair(stretch.first, 0u), std::pair(stretch.last - 1, 1u)})
+            if (pair.presses(part) && !is_at_symmetry(*pair.surface, part, end))
+              return true;
+      return false;
+    }
+
+    std::string of_pairs(const std::vector<PairResult> &pairs)
+    {
+      for (const PairResult &pair : pairs)
+      {
+        const std::string contact = "contact " + pair.pair->name();
+        if (!pair.missed.empty())
+          return contact + " has overlaps that no part of it sees";
+        if (presses_with_an_edge(pair))
+          return contact + " reaches an edge, where the pressure may be infinite";
+      }
+      return "";
+    }
+  } // namespace
+
+  std::string why_no_bound(const Scene &scene, const Results &results)
+  {
+    for (const std::string &reason :
+         {of_estimator(scene.adaptation), of_bodies(results.bodies), of_pairs(results.pairs)})
+      if (!reason.empty())
+        return reason;
+    return "";
+  }
+} // namespace abut

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What a body's solution says of itself.
+
+#include <abut/bodies/boundary_elements/graded_sides.h>
+#include <abut/run/checks/validity.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    /// Above it the squares that linear elasticity leaves out are more than a twentieth of what it keeps. At
+    /// a singular vertex every load makes infinite strains: what happens in a small region around it, a
+    /// hundredth of the body, hardly changes the rest.
+    constexpr double largest_strain_allowed = .05;
+
+    Warnings strain_warnings(const BodyResult &result)
+    {
+      const Peak &strain = result.peaks.regular_strain;
+      if (!(strain.value > largest_strain_allowed))
+        return {};
+      std::ostringstream text;
+      text.precision(3);
+      text << "Body " << result.body->name() << ": the largest strain is " << 100. * strain.value
+           << " %, at (" << strain.place.x() << ", " << strain.place.y()
+           << "); linear elasticity is for small ones, below " << 100. * largest_strain_allowed
+           << " %: check the units of Young modulus, loads and lengths, or take smaller loads";
+      return {{WarningCode::large_strain, text.str()}};
+    }
+
+    bool has_vertex_at(const Body &body, const unsigned int cell_index, const Vector2 &place)
+    {
+      constexpr double same = 1e-6; // of the cell
+      for (const auto &cell : body.space().mesh().triangulation.active_cell_iterators())
+        if (cell->active_cell_index() == cell_index)
+          for (const unsigned int i : cell->vertex_indices())
+            if ((Vector2(cell->vertex(i)[0], cell->vertex(i)[1]) - place).norm() <= same * cell->diameter())
+              return true;
+      return false;
+    }
+
+    /// By how much the stress has to be larger than farther away: vertices count as singular where a stress
+    /// can be infinite, which it need not be, for instance under uniform stress.
+    constexpr double beside_regular = 1.1;
+
+    /// The cell of the largest stress has a vertex where the exact one is infinite: no mesh finds a maximum.
+    Warnings singularity_warnings(const BodyResult &result)
+    {
+      const Peak &stress = result.peaks.von_mises;
+      if (!(stress.value > beside_regular * result.peaks.regular_von_mises.value))
+        return {};
+      for (const Vector2 &vertex : singular_vertices(*result.body))
+        if (has_vertex_at(*result.body, stress.cell, vertex))
+        {
+          std::ostringstream text;
+          text.precision(3);
+          text << "Body " << result.body->name() << ": the largest von Mises stress, " << stress.value
+               << ", stands at (" << vertex.x() << ", " << vertex.y()
+               << "), where the exact stress is infinite (a reentrant corner, a support that begins or ends, "
+                  "a shear load that jumps): it grows with every refinement; look at the stress elsewhere, "
+                  "or round the corner";
+          return {{WarningCode::singular_stress, text.str()}};
+        }
+      return {};
+    }
+  } // namespace
+
+  Warnings body_warnings(const BodyResult &body)
+  {
+    Warnings warnings = strain_warnings(body);
+    append(warnings, singularity_warnings(body));
+    return warnings;
+  }
+} // namespace abut

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What is known before anything is solved.
+
+#include <abut/base/directions.h>
+#include <abut/bodies/finite_elements/side_conditions.h>
+#include <abut/run/checks/validity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    /// Of the depth of the shallower body: the strain that taking the overlap up would need. Half of what
+    /// `large-strain` allows, as the softer body may have to take nearly all of it in a part of its depth.
+    constexpr double largest_overlap = .02;
+
+    /// The length that takes an overlap up: the depth or, on a side that turns, its radius where that is
+    /// larger.
+    double reach(const ContactBody &side)
+    {
+      double turn = 0.;
+      for (const Segment &segment : side.trace->segments())
+      {
+        const Vector2 from = Trace::averaged_normal(segment, 0.), to = Trace::averaged_normal(segment, 1.);
+        turn += std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+      }
+      constexpr double noticeable = M_PI / 4.;
+      return std::abs(turn) < noticeable ? side.depth
+                                         : std::max(side.depth, side.trace->length() / std::abs(turn));
+    }
+
+    Warnings overlap_warnings(const ContactPair &pair)
+    {
+      const double depth = std::min(reach(pair.slave()), reach(pair.master()));
+      if (!(pair.smallest_gap() < -largest_overlap * depth))
+        return {};
+      std::ostringstream text;
+      text.precision(3);
+      text << "Contact " << pair.name() << ": the sides overlap by " << -pair.smallest_gap()
+           << " before anything moves, " << 100. * -pair.smallest_gap() / depth
+           << " % of the depth of the bodies (" << depth << "); linear elasticity is for up to "
+           << 100. * largest_overlap << " %, check the bodies' places and sizes (Shift, Size, Gap)";
+      return {{WarningCode::large_overlap, text.str()}};
+    }
+
+    /// The largest part of the loads on a side that its supports take at once, and the largest load.
+    struct LostLoad
+    {
+      double lost = 0., largest = 0.;
+    };
+
+    LostLoad lost_load(const Body &body, const SideConditions &conditions, const std::string &side)
+    {
+      const auto boundary = boundary_id(body.space().mesh(), side);
+      const Trace trace = body.space().trace(boundary);
+      LostLoad load;
+      for (const Segment &segment : trace.segments())
+      {
+        const Vector2 normal = Trace::averaged_normal(segment, .5), place = trace.point(segment, .5);
+        const Vector2 traction = conditions.traction(boundary, place, normal);
+        const Vector2 free = free_part(conditions.supported(boundary, normal), traction);
+        load.lost = std::max(load.lost, (traction - free).norm());
+        load.largest = std::max(load.largest, traction.norm());
+      }
+      return load;
+    }
+
+    /// A load along a direction in which the same side's displacement is prescribed does nothing.
+    Warnings load_on_support_warnings(const Body &body)
+    {
+      constexpr double noticeable = 1e-3; // of the load: what chords of a curve turn it by
+      const SideConditions conditions(body);
+      Warnings warnings;
+      std::set<std::string> sides;
+      for (const Condition &condition : body.description().conditions)
+        if (!is_support(condition.kind))
+          sides.insert(condition.boundary);
+      for (const std::string &side : sides)
+      {
+        const LostLoad load = lost_load(body, conditions, side);
+        if (!(load.lost > noticeable * load.largest))
+          continue;
+        std::ostringstream text;
+        text.precision(3);
+        text << "Body " << body.name() << ": the load on " << side
+             << " acts along a displacement that is prescribed there: up to " << load.lost
+             << " (force per area) of it goes into the support and does nothing to the body; keep one of the "
+                "two conditions";
+        warnings.push_back({WarningCode::load_on_support, text.str()});
+      }
+      return warnings;
+    }
+
+    Warning repeated_warning(const RepeatedParameter &parameter)
+    {
+      return {WarningCode::repeated_parameter, "Line " + std::to_string(parameter.last_line) + ": `" +
+                                                   parameter.name + "` is set once more, after line " +
+                                                   std::to_string(parameter.first_line) +
+                                                   "; the last line counts, delete the others"};
+    }
+  } // namespace
+
+  Warnings input_warnings(const Scene &scene, const Model &model)
+  {
+    Warnings warnings;
+    for (const RepeatedParameter &parameter : scene.repeated)
+      warnings.push_back(repeated_warning(parameter));
+    for (const auto &body : model.bodies())
+      append(warnings, load_on_support_warnings(*body));
+    for (const ContactPair *pair : model.pairs())
+      append(warnings, overlap_warnings(*pair));
+    return warnings;
+  }
+} // namespace abut

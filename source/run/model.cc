@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/contact/pressure_profile.h>
+#include <abut/run/model.h>
+
+#include <algorithm>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    std::vector<std::string> contact_sides(const Scene &scene, const std::string &body)
+    {
+      std::vector<std::string> sides;
+      for (const ContactDescription &contact : scene.contacts)
+        for (const Side &side : {contact.slave, contact.master})
+          if (side.body == body && std::find(sides.begin(), sides.end(), side.boundary) == sides.end())
+            sides.push_back(side.boundary);
+      return sides;
+    }
+  } // namespace
+
+  Model::Model(const Scene &scene, const ExactSolution *const exact)
+      : scene_(scene), is_prepared_(scene.bodies.size(), false)
+  {
+    for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+      bodies_.push_back(std::make_unique<Body>(with_exact_conditions(scene, a, exact),
+                                               contact_sides(scene, scene.bodies[a].name)));
+    std::vector<PairInput> inputs;
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+      inputs.push_back(pair_input(i));
+    groups_ = ContactSurface::group(inputs);
+    surface_of_.resize(inputs.size());
+    for (std::size_t k = 0; k < groups_.size(); ++k)
+    {
+      for (const std::size_t i : groups_[k])
+        surface_of_[i] = k;
+      surfaces_.push_back(make_surface(groups_[k]));
+    }
+    make_problem();
+  }
+
+  ContactBody Model::contact_body(const Side &side) const
+  {
+    const std::size_t index = scene_.body_index(side.body);
+    const std::vector<std::string> sides = contact_sides(scene_, side.body);
+    const auto position =
+        static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side.boundary) - sides.begin());
+    const Body &body = *bodies_[index];
+    return {index, position, body.contact_sides()[position], body.material(), body.contact_depth(position)};
+  }
+
+  PairInput Model::pair_input(const std::size_t index) const
+  {
+    const ContactDescription &contact = scene_.contacts[index];
+    return {&contact, &scene_.bodies[scene_.body_index(contact.slave.body)].placement,
+            contact_body(contact.slave), contact_body(contact.master)};
+  }
+
+  ContactSurface Model::make_surface(const std::vector<std::size_t> &group) const
+  {
+    std::vector<PairInput> inputs;
+    for (const std::size_t i : group)
+      inputs.push_back(pair_input(i));
+    return ContactSurface(inputs);
+  }
+
+  void Model::make_problem()
+  {
+    pairs_.assign(surface_of_.size(), nullptr);
+    for (std::size_t k = 0; k < groups_.size(); ++k)
+      for (std::size_t i = 0; i < groups_[k].size(); ++i)
+        pairs_[groups_[k][i]] = &surfaces_[k].pairs()[i];
+    std::vector<const TraceBody *> trace_bodies;
+    for (const auto &body : bodies_)
+      trace_bodies.push_back(body.get());
+    problem_ = std::make_unique<InterfaceProblem>(trace_bodies, surfaces_);
+  }
+
+  Counts Model::counts() const
+  {
+    Counts sum;
+    for (const auto &body : bodies_)
+      sum = sum + count(body->space());
+    return sum;
+  }
+
+  void Model::prepare(Times &times)
+  {
+    std::vector<Body::PreparationTimes> of_body(bodies_.size());
+    for_each_body(bodies_.size(), [&](const std::size_t a) {
+      if (!is_prepared_[a])
+        of_body[a] = bodies_[a]->prepare();
+    });
+    is_prepared_.assign(bodies_.size(), true);
+    Body::PreparationTimes longest; // side by side
+    for (const Body::PreparationTimes &t : of_body)
+      longest = {std::max(longest.assemble, t.assemble), std::max(longest.factorise, t.factorise)};
+    times.assemble += longest.assemble;
+    times.factorise += longest.factorise;
+  }
+
+  bool Model::is_new(const ContactSurface &surface) const
+  {
+    return std::any_of(surface.pairs().begin(), surface.pairs().end(), [&](const ContactPair &pair) {
+      return !is_prepared_[pair.slave().body] || !is_prepared_[pair.master().body];
+    });
+  }
+
+  CarriedState Model::adapt(const std::vector<CellMarks> &marks, const CarriedState &state)
+  {
+    CarriedState carried = state;
+    std::vector<PressureProfile> profiles; // before the sides change
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      profiles.emplace_back(surfaces_[k], problem_->of_surface(k, state.pressures));
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+    {
+      if (!marks[a].any())
+        continue;
+      const unsigned int meshes_before = bodies_[a]->counters().meshes;
+      carried.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
+      if (bodies_[a]->counters().meshes != meshes_before)
+        is_prepared_[a] = false;
+    }
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      if (is_new(surfaces_[k]))
+        surfaces_[k] = make_surface(groups_[k]);
+    make_problem();
+    carried.pressures.resize(problem_->n_pressures());
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      carried.pressures.segment(problem_->pressure_offset(k), surfaces_[k].n_multipliers()) =
+          profiles[k].on_parts_of(surfaces_[k]);
+    return carried;
+  }
+} // namespace abut

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/run/part_cells.h>
+
+#include <algorithm>
+
+namespace abut
+{
+  bool is_at_symmetry(const ContactSurface &surface, const std::size_t part, const std::size_t end)
+  {
+    const Piece *outermost = nullptr;
+    for (const Piece &piece : surface.partition().pieces())
+      if (piece.part == part && (!outermost || (piece.arc > outermost->arc) == (end == 1)))
+        outermost = &piece;
+    const auto pair = std::find_if(surface.pairs().begin(), surface.pairs().end(),
+                                   [&](const ContactPair &p) { return p.link() == outermost->link; });
+    const Trace &cut = *pair->cut_side().trace, &other = *pair->other_side().trace;
+    return cut.is_plane_of_symmetry(cut.segments()[outermost->cut_segment], end) &&
+           other.is_plane_of_symmetry(other.segments()[outermost->other_segment], 1 - end); // it runs back
+  }
+
+  std::vector<PartCell> part_cells(const ContactSurface &surface)
+  {
+    std::vector<PartCell> cells;
+    for (const Part &part : surface.partition().parts())
+      cells.push_back({part.length, part.length});
+    for (const ContactPair &pair : surface.pairs())
+      for (const Piece &piece : surface.partition().pieces())
+        if (piece.link == pair.link())
+        {
+          const auto [shorter, longer] =
+              std::minmax({pair.cut_side().trace->segments()[piece.cut_segment].length,
+                           pair.other_side().trace->segments()[piece.other_segment].length});
+          PartCell &cell = cells[piece.part];
+          cell = {std::max(cell.shorter, shorter), std::max(cell.longer, longer)};
+        }
+    return cells;
+  }
+} // namespace abut

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
+#include <abut/study/observed_run.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    std::size_t body_of_interest(const Scene &scene)
+    {
+      for (std::size_t a = scene.bodies.size(); a-- > 0;)
+        if (scene.bodies[a].adapt)
+          return a;
+      return scene.bodies.size() - 1;
+    }
+
+    Polyline sorted_by_x(Polyline points)
+    {
+      std::sort(points.begin(), points.end(),
+                [](const Vector2 &a, const Vector2 &b) { return a.x() < b.x(); });
+      return points;
+    }
+
+    Polyline contact_displacement(const PassState &state, const std::size_t body)
+    {
+      const Eigen::VectorXd values =
+          state.problem.normal_displacements(state.results.iteration.iterate, body);
+      Polyline points;
+      Eigen::Index node = 0;
+      for (const Trace &side : state.results.bodies[body].body->contact_sides())
+        for (const Vector2 &point : side.node_points())
+          points.emplace_back(point.x(), values[node++]);
+      return sorted_by_x(std::move(points));
+    }
+
+    Polyline pressure_curve(const PairResult &pair)
+    {
+      Polyline points;
+      for (const std::size_t k : pair.parts)
+        points.emplace_back(pair.part(k).place.x(), pair.pressures[static_cast<Eigen::Index>(k)]);
+      return sorted_by_x(std::move(points));
+    }
+
+    std::vector<unsigned int> levels_of(const Space &space)
+    {
+      std::vector<unsigned int> levels;
+      for (const auto &cell : space.mesh().triangulation.active_cell_iterators())
+        levels.push_back(static_cast<unsigned int>(cell->level()));
+      return levels;
+    }
+
+    std::size_t boundary_unknowns(const Estimation &estimation, const std::size_t body)
+    {
+      return body < estimation.errors.size()
+                 ? static_cast<std::size_t>(estimation.errors[body].boundary.unknowns)
+                 : 0;
+    }
+
+    ObservedPass observe_pass(const PassState &state, const std::size_t body, const Vector2 &monitored)
+    {
+      const BodyResult &result = state.results.bodies[body];
+      ObservedPass pass;
+      pass.record = state.results.passes.back();
+      pass.counts = count(result.body->space());
+      pass.boundary_unknowns = boundary_unknowns(state.estimation, body);
+      if (body < state.estimation.errors.size())
+        pass.boundary_elements = static_cast<std::size_t>(state.estimation.errors[body].boundary.elements);
+      pass.all_unknowns = pass.record.counts.dofs;
+      for (std::size_t a = 0; a < state.results.bodies.size(); ++a)
+        pass.all_unknowns += boundary_unknowns(state.estimation, a);
+      pass.drawing = undeformed_body(result);
+      pass.levels = levels_of(result.body->space());
+      pass.contact_displacement = contact_displacement(state, body);
+      if (!state.results.pairs.empty())
+        pass.pressure = pressure_curve(state.results.pairs.front());
+      pass.monitored = displacement_at(result, monitored);
+      return pass;
+    }
+  } // namespace
+
+  Vector2 displacement_at(const BodyResult &result, const Vector2 &point)
+  {
+    const Space &space = result.body->space();
+    const dealii::Point<2> place(point.x(), point.y());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      if (!cell->point_inside(place))
+        continue;
+      const dealii::Quadrature<2> at_point(space.mapping().transform_real_to_unit_cell(cell, place));
+      dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(), at_point,
+                                 dealii::update_values);
+      values.reinit(cell);
+      std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
+      cell->get_dof_indices(dofs);
+      Vector2 sum = Vector2::Zero();
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        sum[values.get_fe().system_to_component_index(i).first] +=
+            values.shape_value(i, 0) * result.displacement[static_cast<Eigen::Index>(dofs[i])];
+      return sum;
+    }
+    std::ostringstream text;
+    text << "Body " << result.body->name() << " has no point (" << point.x() << ", " << point.y() << ")";
+    throw UserError(text.str());
+  }
+
+  ObservedRun observe_run(const Scene &scene, const std::string &name, const Vector2 &monitored)
+  {
+    const std::size_t body = body_of_interest(scene);
+    ObservedRun run;
+    run.name = name;
+    double estimated = 0.; // seconds
+    Simulation simulation(scene);
+    RunObserver observer;
+    observer.state = [&](const PassState &state) {
+      run.passes.push_back(observe_pass(state, body, monitored));
+      run.passes.back().estimate_seconds = state.results.times.estimate - estimated;
+      estimated = state.results.times.estimate;
+    };
+    run.converged = simulation.run(observer).converged();
+    return run;
+  }
+} // namespace abut

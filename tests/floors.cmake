@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# cmake -D FLOORS=lowest;...;highest -P floors.cmake
+#   Fails where a file of the sources includes one of a floor above its own, or of no floor.
+cmake_minimum_required(VERSION 3.25)
+get_filename_component(root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
+file(GLOB_RECURSE files RELATIVE ${root} ${root}/include/abut/*.h ${root}/source/*.cc)
+set(n_includes 0)
+foreach(file ${files})
+  string(REGEX REPLACE "^(include/abut|source)/([^/]+)/.*" "\\2" own ${file})
+  list(FIND FLOORS ${own} height)
+  file(STRINGS ${root}/${file} includes REGEX "^#include <abut/")
+  foreach(include ${includes})
+    string(REGEX REPLACE "^#include <abut/([^/>]+).*" "\\1" other ${include})
+    list(FIND FLOORS ${other} other_height)
+    math(EXPR n_includes "${n_includes} + 1")
+    if(other_height LESS 0 OR other_height GREATER height)
+      message(SEND_ERROR "${file}, of the floor ${own}: ${include} does not lie below")
+    endif()
+  endforeach()
+endforeach()
+if(n_includes EQUAL 0)
+  message(FATAL_ERROR "No includes were found below ${root}")
+endif()
+message("${n_includes} includes, none upwards")
