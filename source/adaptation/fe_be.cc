@@ -8,17 +8,14 @@ namespace abut
 {
   namespace
   {
-    std::vector<Vector2> comparison_points(const Space &space)
+    const std::string asked = "Adaptation/Estimator = fe-be";
+
+    std::vector<Vector2> comparison_points(const BodySolution &solution)
     {
-      dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(), comparison_rule(space),
-                                 dealii::update_quadrature_points);
       std::vector<Vector2> points;
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
-      {
-        values.reinit(cell);
-        for (const auto &p : values.get_quadrature_points())
-          points.emplace_back(p[0], p[1]);
-      }
+      solution.body.visit_displacement(solution.deformation, SamplePoints::comparison,
+                                       [&](const SamplePoint &point, const Vector2 &,
+                                           const Eigen::Matrix2d &) { points.push_back(point.place); });
       return points;
     }
   } // namespace
@@ -28,16 +25,16 @@ namespace abut
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const auto found = kept_.find(&body);
-      if (found != kept_.end() && found->second.mesh == body.counters().meshes)
+      if (found != kept_.end() && found->second.mesh == body.mesh_version())
         return found->second.model;
       kept_.erase(&body);
     }
     ++cost.models;
     const auto start = std::chrono::steady_clock::now();
-    auto model = std::make_shared<const BoundaryModel>(body, kind_);
+    auto model = std::make_shared<const BoundaryModel>(as_finite_elements(body, asked), kind_);
     cost.assemble = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::lock_guard<std::mutex> lock(mutex_);
-    kept_[&body] = {body.counters().meshes, model};
+    kept_[&body] = {body.mesh_version(), model};
     return model;
   }
 
@@ -47,15 +44,13 @@ namespace abut
     const auto model = model_of(solution.body, cost);
     cost.elements = model->space().n_elements();
     cost.unknowns = model->n_unknowns();
-    const std::vector<Stress> stresses =
-        model->stress(solution, comparison_points(solution.body.space()), cost);
-    auto next = stresses.begin();
-    CellErrors errors =
-        compare(solution, [&](const Cell &, const dealii::FEValues<2> &, std::vector<Stress> &stress) {
-          for (Stress &s : stress)
-            s = *next++;
-        });
+    CellErrors errors = compare(solution, model->stress(solution, comparison_points(solution), cost));
     errors.boundary = cost;
     return errors;
+  }
+
+  void FEBEIndicator::check(const Body &body) const
+  {
+    check_boundary_elements(as_finite_elements(body, asked));
   }
 } // namespace abut

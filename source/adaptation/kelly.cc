@@ -40,9 +40,9 @@ namespace abut
     class Estimate
     {
     public:
-      explicit Estimate(const BodySolution &solution)
-          : solution_(solution), space_(solution.body.space()), material_(solution.body.material()),
-            field_(solution.body, solution.deformation), boundary_(solution.body, solution.contact_forces),
+      Estimate(const FiniteElementBody &body, const BodySolution &solution)
+          : solution_(solution), space_(body.space()), material_(body.material()),
+            field_(body, solution.deformation), boundary_(body, solution.contact_forces),
             degree_(space_.degree()), rule_(degree_ + 1), // faces of both cell types are lines
             face_(space_.mapping(), space_.dof_handler().get_fe(), rule_,
                   dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
@@ -207,18 +207,14 @@ namespace abut
 
   CellErrors KellyIndicator::estimate(const BodySolution &solution) const
   {
+    const FiniteElementBody &body = as_finite_elements(solution.body, "Adaptation/Estimator = kelly");
     // sigma_F stands for the better stress that there is none of: areas and norms.
-    const StressField field(solution.body, solution.deformation);
-    std::vector<dealii::types::global_dof_index> dofs(
-        solution.body.space().dof_handler().get_fe().n_dofs_per_cell());
-    CellErrors errors = compare(
-        solution, [&](const Cell &cell, const dealii::FEValues<2> &values, std::vector<Stress> &stress) {
-          cell->get_dof_indices(dofs);
-          for (const unsigned int q : values.quadrature_point_indices())
-            stress[q] = field.at(cell, values, q, dofs);
-        });
+    std::vector<Stress> own;
+    body.visit_stress(solution.deformation, SamplePoints::comparison,
+                      [&](const SamplePoint &, const Stress &stress) { own.push_back(stress); });
+    CellErrors errors = compare(solution, own);
     errors.better.clear();
-    const std::vector<Squares> squares = Estimate(solution).run();
+    const std::vector<Squares> squares = Estimate(body, solution).run();
     for (std::size_t i = 0; i < squares.size(); ++i)
     {
       errors.stress[static_cast<Index>(i)] = std::sqrt(squares[i].stress);

@@ -75,11 +75,10 @@ namespace abut
     class Equations
     {
     public:
-      explicit Equations(const BodySolution &solution)
-          : solution_(solution), space_(solution.body.space()),
-            boundary_(solution.body, solution.contact_forces),
-            of_cell_(space_.mesh().triangulation.n_active_cells()), of_boundary_(of_cell_.size()),
-            dofs_(space_.dof_handler().get_fe().n_dofs_per_cell())
+      Equations(const FiniteElementBody &body, const BodySolution &solution)
+          : space_(body.space()), field_(body, solution.deformation),
+            boundary_(body, solution.contact_forces), of_cell_(space_.mesh().triangulation.n_active_cells()),
+            of_boundary_(of_cell_.size()), dofs_(space_.dof_handler().get_fe().n_dofs_per_cell())
       {
         sample();
         read_tractions();
@@ -101,14 +100,13 @@ namespace abut
         dealii::FEValues<2> values(space_.mapping(), space_.dof_handler().get_fe(),
                                    gauss_rule(space_, space_.degree()),
                                    dealii::update_gradients | dealii::update_quadrature_points);
-        const StressField field(solution_.body, solution_.deformation);
         for (const auto &cell : space_.dof_handler().active_cell_iterators())
         {
           values.reinit(cell);
           cell->get_dof_indices(dofs_);
           for (const unsigned int q : values.quadrature_point_indices())
           {
-            const Stress stress = field.at(cell, values, q, dofs_);
+            const Stress stress = field_.at(cell, values, q, dofs_);
             const auto p = values.quadrature_point(q);
             const double parts[] = {stress.xx, stress.yy, stress.xy};
             // xy stands for yx too: the sum of squares is that of the tensor, in whatever frame.
@@ -148,18 +146,19 @@ namespace abut
           }
       }
 
-      const BodySolution &solution_;
       const Space &space_;
+      const StressField field_;
       const BoundaryTraction boundary_;
       std::vector<std::vector<Equation>> of_cell_, of_boundary_;
       std::vector<dealii::types::global_dof_index> dofs_;
     };
 
-    std::map<unsigned int, StressPolynomial> fit_all(const BodySolution &solution)
+    std::map<unsigned int, StressPolynomial> fit_all(const FiniteElementBody &body,
+                                                     const BodySolution &solution)
     {
       constexpr std::size_t fewest_cells = 4;
-      const Space &space = solution.body.space();
-      const Equations equations(solution);
+      const Space &space = body.space();
+      const Equations equations(body, solution);
       std::map<unsigned int, StressPolynomial> polynomials;
       for (const auto &[vertex, patch] : vertex_patches(space, fewest_cells))
       {
@@ -182,20 +181,28 @@ namespace abut
 
   CellErrors SPRIndicator::estimate(const BodySolution &solution) const
   {
-    const std::map<unsigned int, StressPolynomial> polynomials = fit_all(solution);
-    const double nu = solution.body.material().poisson_ratio;
-    return compare(solution,
-                   [&](const Cell &cell, const dealii::FEValues<2> &values, std::vector<Stress> &stress) {
-                     for (const unsigned int q : values.quadrature_point_indices())
-                     {
-                       const auto place = values.quadrature_point(q);
-                       const auto unit = values.get_quadrature().point(q);
-                       Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-                       for (const unsigned int v : cell->vertex_indices())
-                         sum += cell->reference_cell().d_linear_shape_function(unit, v) *
-                                polynomials.at(cell->vertex_index(v))(Vector2(place[0], place[1]));
-                       stress[q] = {sum[0], sum[1], sum[2], nu * (sum[0] + sum[1])};
-                     }
-                   });
+    const FiniteElementBody &body = as_finite_elements(solution.body, "Adaptation/Estimator = spr");
+    const Space &space = body.space();
+    const std::map<unsigned int, StressPolynomial> polynomials = fit_all(body, solution);
+    const double nu = body.material().poisson_ratio;
+    dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(),
+                               sample_rule(space, SamplePoints::comparison),
+                               dealii::update_quadrature_points);
+    std::vector<Stress> better;
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      values.reinit(cell);
+      for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const auto place = values.quadrature_point(q);
+        const auto unit = values.get_quadrature().point(q);
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (const unsigned int v : cell->vertex_indices())
+          sum += cell->reference_cell().d_linear_shape_function(unit, v) *
+                 polynomials.at(cell->vertex_index(v))(Vector2(place[0], place[1]));
+        better.push_back({sum[0], sum[1], sum[2], nu * (sum[0] + sum[1])});
+      }
+    }
+    return compare(solution, better);
   }
 } // namespace abut

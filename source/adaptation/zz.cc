@@ -10,13 +10,13 @@ namespace abut
     /// xx, yy and xy of a continuous stress at the nodes, in the first component's unknowns.
     using NodalStress = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-    NodalStress nodal_means(const BodySolution &solution)
+    NodalStress nodal_means(const FiniteElementBody &body, const Eigen::VectorXd &deformation)
     {
-      const Space &space = solution.body.space();
+      const Space &space = body.space();
       const auto &fe = space.dof_handler().get_fe();
       dealii::FEValues<2> values(space.mapping(), fe, dealii::Quadrature<2>(fe.get_unit_support_points()),
                                  dealii::update_gradients | dealii::update_quadrature_points);
-      const StressField field(solution.body, solution.deformation);
+      const StressField field(body, deformation);
       std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
       NodalStress sums = NodalStress::Zero(space.n_dofs(), 3);
       Eigen::VectorXd areas = Eigen::VectorXd::Zero(space.n_dofs());
@@ -41,21 +41,28 @@ namespace abut
 
   CellErrors ZZIndicator::estimate(const BodySolution &solution) const
   {
-    const NodalStress nodal = nodal_means(solution);
-    const double nu = solution.body.material().poisson_ratio;
-    const auto &fe = solution.body.space().dof_handler().get_fe();
+    const FiniteElementBody &body = as_finite_elements(solution.body, "Adaptation/Estimator = zz");
+    const Space &space = body.space();
+    const NodalStress nodal = nodal_means(body, solution.deformation);
+    const double nu = body.material().poisson_ratio;
+    const auto &fe = space.dof_handler().get_fe();
+    dealii::FEValues<2> values(space.mapping(), fe, sample_rule(space, SamplePoints::comparison),
+                               dealii::update_values);
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    return compare(solution,
-                   [&](const Cell &cell, const dealii::FEValues<2> &values, std::vector<Stress> &stress) {
-                     cell->get_dof_indices(dofs);
-                     for (const unsigned int q : values.quadrature_point_indices())
-                     {
-                       Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-                       for (const unsigned int i : values.dof_indices())
-                         if (fe.system_to_component_index(i).first == 0)
-                           sum += values.shape_value(i, q) * nodal.row(dofs[i]);
-                       stress[q] = {sum[0], sum[1], sum[2], nu * (sum[0] + sum[1])};
-                     }
-                   });
+    std::vector<Stress> better;
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    {
+      values.reinit(cell);
+      cell->get_dof_indices(dofs);
+      for (const unsigned int q : values.quadrature_point_indices())
+      {
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (const unsigned int i : values.dof_indices())
+          if (fe.system_to_component_index(i).first == 0)
+            sum += values.shape_value(i, q) * nodal.row(dofs[i]);
+        better.push_back({sum[0], sum[1], sum[2], nu * (sum[0] + sum[1])});
+      }
+    }
+    return compare(solution, better);
   }
 } // namespace abut

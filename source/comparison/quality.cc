@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 namespace abut
 {
@@ -22,16 +21,15 @@ namespace abut
     CellSquares cell_squares(const OwnStress &exact, const BodyResult &result,
                              const std::vector<Stress> &better)
     {
-      const dealii::Quadrature<2> rule = comparison_rule(result.body->space());
       const Placement &placement = result.body->description().placement;
-      const std::vector<StressSample> samples = stress_samples(result, rule);
+      const std::vector<StressSample> samples = stress_samples(result, SamplePoints::comparison);
       const std::vector<Stress> stresses = at_samples(exact, samples);
       CellSquares squares;
       squares.computed = squares.better =
-          Eigen::VectorXd::Zero(static_cast<Index>(samples.size() / rule.size()));
+          Eigen::VectorXd::Zero(static_cast<Index>(result.body->counts().cells));
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
-        const auto cell = static_cast<Index>(i / rule.size());
+        const auto cell = static_cast<Index>(samples[i].cell);
         squares.computed[cell] += samples[i].weight * (samples[i].computed - stresses[i]).square();
         squares.stress += samples[i].weight * stresses[i].square();
         if (!better.empty())
@@ -39,15 +37,6 @@ namespace abut
               samples[i].weight * (in_own_frame(better[i], placement) - stresses[i]).square();
       }
       return squares;
-    }
-
-    std::set<unsigned int> boundary_cells(const Space &space)
-    {
-      std::set<unsigned int> cells;
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
-        if (cell->at_boundary())
-          cells.insert(cell->active_cell_index());
-      return cells;
     }
 
     /// Places between a part that presses and one that does not.
@@ -65,15 +54,12 @@ namespace abut
       return places;
     }
 
-    /// Cells whose centre is nearer to a contact end than one and a half of their diameters.
-    std::set<unsigned int> contact_end_cells(const Space &space, const std::vector<Vector2> &ends)
+    /// Whether the centre of a cell is nearer to a contact end than one and a half of its diameters.
+    bool is_at_end(const CellInfo &cell, const std::vector<Vector2> &ends)
     {
-      std::set<unsigned int> cells;
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
-        for (const Vector2 &end : ends)
-          if (cell->center().distance({end.x(), end.y()}) < 1.5 * cell->diameter())
-            cells.insert(cell->active_cell_index());
-      return cells;
+      return std::any_of(ends.begin(), ends.end(), [&](const Vector2 &end) {
+        return (cell.centre - end).norm() < 1.5 * cell.diameter;
+      });
     }
 
     void add(const ErrorSquares &cell, ErrorSquares &sum)
@@ -124,18 +110,17 @@ namespace abut
         return {};
       const CellErrors &errors = estimation.errors[a];
       const CellSquares squares = cell_squares(response, bodies[a], errors.better);
-      const Space &space = bodies[a].body->space();
-      const auto at_boundary = boundary_cells(space), at_end = contact_end_cells(space, ends);
+      const std::vector<CellInfo> cells = bodies[a].body->cells();
       quality.stress += squares.stress;
       quality.has_better = quality.has_better && !errors.better.empty();
       for (Index i = 0; i < errors.stress.size(); ++i)
       {
         const ErrorSquares cell{errors.stress[i] * errors.stress[i], squares.computed[i], squares.better[i]};
-        const auto index = static_cast<unsigned int>(i);
+        const CellInfo &info = cells[static_cast<std::size_t>(i)];
         add(cell, quality.whole);
-        if (at_end.count(index) > 0)
+        if (is_at_end(info, ends))
           add(cell, quality.contact_end);
-        add(cell, at_boundary.count(index) > 0 ? quality.boundary : quality.interior);
+        add(cell, info.at_boundary ? quality.boundary : quality.interior);
         estimated.push_back(errors.stress[i]);
         computed.push_back(std::sqrt(squares.computed[i]));
       }

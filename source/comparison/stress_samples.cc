@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/finite_elements/stress_field.h>
 #include <abut/comparison/stress_samples.h>
 
 #include <tbb/parallel_for.h>
 
 namespace abut
 {
-  std::vector<StressSample> stress_samples(const BodyResult &result, const dealii::Quadrature<2> &rule)
+  std::vector<StressSample> stress_samples(const BodyResult &result, const SamplePoints points)
   {
     const Placement &placement = result.body->description().placement;
     std::vector<StressSample> samples;
-    StressField(*result.body, result.deformation)
-        .visit(rule, [&](const Vector2 &point, const double weight, const Stress &stress) {
-          samples.push_back({placement.point_to_own(point), weight, in_own_frame(stress, placement)});
-        });
+    result.body->visit_stress(result.deformation, points,
+                              [&](const SamplePoint &point, const Stress &stress) {
+                                samples.push_back({point.cell, placement.point_to_own(point.place),
+                                                   point.weight, in_own_frame(stress, placement)});
+                              });
     return samples;
   }
 

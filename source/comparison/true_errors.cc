@@ -24,8 +24,7 @@ namespace abut
 
     Squares compare(const OwnStress &exact, const BodyResult &result)
     {
-      const Space &space = result.body->space();
-      const std::vector<StressSample> samples = stress_samples(result, gauss_rule(space, space.degree() + 2));
+      const std::vector<StressSample> samples = stress_samples(result, SamplePoints::precise);
       const Material material = result.body->material();
       const std::vector<Stress> stresses = at_samples(exact, samples);
       Squares squares;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/mesh/cell_marks.h>
 
+#include <deal.II/grid/tria.h>
+
 #include <algorithm>
 
 namespace abut
@@ -16,10 +18,15 @@ namespace abut
            0;
   }
 
+  CellMarks no_marks(const std::size_t n_cells)
+  {
+    const std::vector<bool> none(n_cells, false);
+    return {none, none};
+  }
+
   CellMarks no_marks(const dealii::Triangulation<2> &triangulation)
   {
-    const std::vector<bool> none(triangulation.n_active_cells(), false);
-    return {none, none};
+    return no_marks(triangulation.n_active_cells());
   }
 
   void set_flags(dealii::Triangulation<2> &triangulation, const CellMarks &marks)

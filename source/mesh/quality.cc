@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/mesh/quality.h>
 
+#include <deal.II/grid/tria.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

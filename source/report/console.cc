@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/counts.h>
 #include <abut/base/numbers.h>
 #include <abut/report/console.h>
 #include <abut/report/summary.h>
-#include <abut/results/counts.h>
 
 #include <cmath>
 #include <ostream>
@@ -24,7 +24,7 @@ namespace abut
           {"body", "cells", "unknowns", "strain energy", "max von Mises", "max strain", "max displacement"}};
       for (const BodyResult &result : results.bodies)
       {
-        const Counts counts = count(result.body->space());
+        const Counts counts = result.body->counts();
         table.push_back({result.body->name(), std::to_string(counts.cells), std::to_string(counts.dofs),
                          short_number(result.energy, 6), short_number(result.peaks.von_mises.value),
                          percent(result.peaks.strain.value), short_number(result.peaks.displacement.value)});

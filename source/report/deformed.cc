@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/finite_elements/stress_field.h>
 #include <abut/report/apart.h>
 #include <abut/report/deformed.h>
 
@@ -13,40 +12,23 @@ namespace abut
   {
     constexpr double visible_share = .05; // of the scene's size
 
-    /// Points around a reference cell, counter-clockwise; several on each edge for degrees above 1.
-    dealii::Quadrature<2> outline_points(const Space &space)
-    {
-      const std::vector<dealii::Point<2>> triangle = {{0., 0.}, {1., 0.}, {0., 1.}};
-      const std::vector<dealii::Point<2>> square = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
-      const auto &corners = space.mesh().cell_type == CellType::triangles ? triangle : square;
-      const unsigned int pieces = space.degree() == 1 ? 1 : 2 * space.degree();
-      std::vector<dealii::Point<2>> points;
-      for (std::size_t corner = 0; corner < corners.size(); ++corner)
-        for (unsigned int piece = 0; piece < pieces; ++piece)
-        {
-          const auto &begin = corners[corner], &end = corners[(corner + 1) % corners.size()];
-          points.push_back(begin + (static_cast<double>(piece) / pieces) * (end - begin));
-        }
-      return dealii::Quadrature<2>(points);
-    }
-
-    /// The points of all outlines and their displacements, cell by cell.
+    /// The points of all outlines, their displacements and their cells.
     struct Outlines
     {
-      std::size_t points_per_cell = 0;
       Polyline points, displacements;
+      std::vector<unsigned int> cells;
     };
 
     Outlines outlines_of(const BodyResult &result)
     {
       Outlines outlines;
-      const dealii::Quadrature<2> points = outline_points(result.body->space());
-      outlines.points_per_cell = points.size();
-      visit_gradients(result.body->space(), points, result.displacement,
-                      [&](const Vector2 &point, double, const Vector2 &u, const Eigen::Matrix2d &) {
-                        outlines.points.push_back(point);
-                        outlines.displacements.push_back(u);
-                      });
+      result.body->visit_displacement(
+          result.displacement, SamplePoints::outline,
+          [&](const SamplePoint &point, const Vector2 &u, const Eigen::Matrix2d &) {
+            outlines.points.push_back(point.place);
+            outlines.displacements.push_back(u);
+            outlines.cells.push_back(point.cell);
+          });
       return outlines;
     }
 
@@ -96,7 +78,7 @@ namespace abut
       DrawnBody body{{}, mean_von_mises(result)};
       for (std::size_t i = 0; i < outlines.points.size(); ++i)
       {
-        if (i % outlines.points_per_cell == 0)
+        if (i == 0 || outlines.cells[i] != outlines.cells[i - 1])
           body.cells.emplace_back();
         body.cells.back().push_back(outlines.points[i] + factor * outlines.displacements[i] + shift);
       }
@@ -142,21 +124,14 @@ namespace abut
 
   std::vector<double> mean_von_mises(const BodyResult &result)
   {
-    const Space &space = result.body->space();
-    std::vector<double> means(space.mesh().triangulation.n_active_cells());
-    double area = 0.;
-    std::size_t visited = 0;
-    StressField(*result.body, result.deformation)
-        .visit(space.quadrature(), [&](const Vector2 &, const double weight, const Stress &stress) {
-          double &mean = means[visited / space.quadrature().size()];
-          mean += weight * stress.von_mises();
-          area += weight;
-          if (++visited % space.quadrature().size() == 0)
-          {
-            mean /= area;
-            area = 0.;
-          }
-        });
+    std::vector<double> means(result.body->counts().cells), areas(means);
+    result.body->visit_stress(result.deformation, SamplePoints::energy,
+                              [&](const SamplePoint &point, const Stress &stress) {
+                                means[point.cell] += point.weight * stress.von_mises();
+                                areas[point.cell] += point.weight;
+                              });
+    for (std::size_t cell = 0; cell < means.size(); ++cell)
+      means[cell] /= areas[cell];
     return means;
   }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/finite_elements/projected_divergence.h>
 #include <abut/run/simulation.h>
 
 #include <ostream>
@@ -11,19 +10,13 @@ namespace abut
     void describe_body(const Body &body, std::ostream &out)
     {
       const BodyDescription &description = body.description();
-      out << "Body " << body.name() << ": " << body.space().mesh().triangulation.n_active_cells() << ' '
-          << (description.cell_type == CellType::triangles ? "triangles" : "quadrilaterals") << " of degree "
-          << body.space().degree() << ", " << body.space().n_dofs()
-          << " unknowns, E = " << description.young_modulus << ", nu = " << description.poisson_ratio << '\n';
-      if (body.projects_divergence())
-        out << "  volumetric term: divergence projected onto polynomials of degree "
-            << body.space().degree() - 1 << " (quadrilaterals from nu = " << smallest_projected_ratio
-            << " on)\n";
+      out << "Body " << body.name() << ": ";
+      body.describe(out);
       out << "  supports:";
       for (const Condition &condition : description.conditions)
         if (is_support(condition.kind))
           out << ' ' << condition.boundary << " (" << to_string(condition.kind) << ')';
-      out << (body.supports().nodes.empty() ? " none\n" : "\n");
+      out << (body.is_supported() ? "\n" : " none\n");
       out << "  rigid motions left free:";
       for (const std::string &motion : body.free_rigid_motions())
         out << ' ' << motion;
@@ -52,15 +45,11 @@ namespace abut
 
   void Simulation::describe(std::ostream &out) const
   {
-    Eigen::Index n_unknowns = 0;
     for (const auto &body : bodies())
-    {
       describe_body(*body, out);
-      n_unknowns += body->space().n_dofs();
-    }
     for (std::size_t i = 0; i < pairs().size(); ++i)
       describe_pair(*pairs()[i], scene_.contacts[i], out);
-    out << "In all: " << bodies().size() << " bodies, " << pairs().size() << " contacts, " << n_unknowns
+    out << "In all: " << bodies().size() << " bodies, " << pairs().size() << " contacts, " << counts().dofs
         << " unknowns\n";
   }
 } // namespace abut

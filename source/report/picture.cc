@@ -146,7 +146,7 @@ namespace abut
   {
     std::size_t n_cells = 0;
     for (const BodyResult &body : results.bodies)
-      n_cells += body.body->space().mesh().triangulation.n_active_cells();
+      n_cells += body.body->counts().cells;
     if (n_cells > most_cells)
       return "";
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/counts.h>
 #include <abut/mesh/quality.h>
 #include <abut/report/json.h>
 #include <abut/report/pass_summary.h>
 #include <abut/report/summary.h>
-#include <abut/results/counts.h>
 
 #include <deal.II/base/config.h>
 
@@ -25,13 +25,11 @@ namespace abut
 
     Json body_summary(const BodyResult &result)
     {
-      const Space &space = result.body->space();
-      const dealii::Triangulation<2> &mesh = space.mesh().triangulation;
-      const Counts counts = count(space);
-      const MeshQuality quality = mesh_quality(mesh);
-      int min_level = static_cast<int>(mesh.n_levels()) - 1;
-      for (const auto &cell : mesh.active_cell_iterators())
-        min_level = std::min(min_level, cell->level());
+      const Counts counts = result.body->counts();
+      const MeshQuality quality = result.body->mesh_quality();
+      const std::vector<CellInfo> cells = result.body->cells();
+      const auto [coarsest, finest] = std::minmax_element(
+          cells.begin(), cells.end(), [](const CellInfo &a, const CellInfo &b) { return a.level < b.level; });
 
       Json reactions = Json::object();
       for (const auto &[boundary, force] : result.reactions.by_boundary)
@@ -46,8 +44,8 @@ namespace abut
               {"max_displacement", number(result.peaks.displacement.value)},
               {"rigid_displacement",
                result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
-              {"min_level", min_level},
-              {"max_level", mesh.n_levels() - 1},
+              {"min_level", coarsest->level},
+              {"max_level", finest->level},
               {"h_max", number(quality.h_max)},
               {"h_boundary", number(quality.h_boundary)},
               {"h_ratio", number(quality.h_boundary / quality.h_max)},
@@ -158,7 +156,7 @@ namespace abut
       Json bodies = Json::object();
       for (const BodyResult &result : results.bodies)
       {
-        const BodyCounters &counters = result.body->counters();
+        const BodyCounters counters = result.body->counters();
         bodies[result.body->name()] = {{"meshes", counters.meshes},
                                        {"assemblies", counters.assemblies},
                                        {"factorisations", counters.factorisations},

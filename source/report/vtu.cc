@@ -1,203 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/finite_elements/stress_field.h>
-#include <abut/report/deformed.h>
+#include <abut/bodies/output_patches.h>
 #include <abut/report/svg.h>
 #include <abut/report/vtu.h>
 
-#include <deal.II/base/data_out_base.h>
-#include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/lac/vector.h>
-#include <deal.II/numerics/data_out.h>
-#include <deal.II/numerics/data_postprocessor.h>
-
-#include <Eigen/Cholesky>
-
-#include <array>
 #include <sstream>
 
 namespace abut
 {
-  namespace
-  {
-    class StressPostprocessor : public dealii::DataPostprocessor<2>
-    {
-    public:
-      explicit StressPostprocessor(const StressField &field) : field_(field) {}
-
-      void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<2> &inputs,
-                                 std::vector<dealii::Vector<double>> &quantities) const override
-      {
-        const Cell cell = inputs.get_cell<2>();
-        for (std::size_t point = 0; point < quantities.size(); ++point)
-        {
-          const auto &place = inputs.evaluation_points[point];
-          const auto &gradients = inputs.solution_gradients[point];
-          Eigen::Matrix2d gradient;
-          gradient << gradients[0][0], gradients[0][1], gradients[1][0], gradients[1][1];
-          const Stress stress = field_.at(cell, Vector2(place[0], place[1]), gradient);
-          quantities[point][0] = stress.xx;
-          quantities[point][1] = stress.yy;
-          quantities[point][2] = stress.xy;
-          quantities[point][3] = stress.zz;
-          quantities[point][4] = stress.von_mises();
-        }
-      }
-
-      std::vector<std::string> get_names() const override
-      {
-        return {"stress_xx", "stress_yy", "stress_xy", "stress_zz", "von_mises"};
-      }
-
-      dealii::UpdateFlags get_needed_update_flags() const override
-      {
-        return dealii::update_gradients | dealii::update_quadrature_points;
-      }
-
-    private:
-      const StressField &field_;
-    };
-
-    dealii::Vector<double> levels(const dealii::Triangulation<2> &triangulation)
-    {
-      dealii::Vector<double> result(triangulation.n_active_cells());
-      for (const auto &cell : triangulation.active_cell_iterators())
-        result[cell->active_cell_index()] = cell->level();
-      return result;
-    }
-
-    constexpr unsigned int n_stress_values = 4; // xx, yy, xy, zz
-
-    std::array<double, n_stress_values> stress_values(const Stress &s)
-    {
-      return {{s.xx, s.yy, s.xy, s.zz}};
-    }
-
-    /// Adds the von Mises stress of the components at each point: by itself it is no polynomial.
-    class BetterStressPostprocessor : public dealii::DataPostprocessor<2>
-    {
-    public:
-      void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<2> &inputs,
-                                 std::vector<dealii::Vector<double>> &quantities) const override
-      {
-        for (std::size_t point = 0; point < quantities.size(); ++point)
-        {
-          const auto &s = inputs.solution_values[point];
-          for (unsigned int i = 0; i < n_stress_values; ++i)
-            quantities[point][i] = s[i];
-          quantities[point][n_stress_values] = Stress{s[0], s[1], s[2], s[3]}.von_mises();
-        }
-      }
-
-      std::vector<std::string> get_names() const override
-      {
-        return {"better_stress_xx", "better_stress_yy", "better_stress_xy", "better_stress_zz",
-                "better_von_mises"};
-      }
-
-      dealii::UpdateFlags get_needed_update_flags() const override { return dealii::update_values; }
-    };
-
-    /// The better stress as discontinuous polynomials of the finite elements' degree: in each cell those
-    /// nearest to the values at the points of the comparison.
-    class BetterStressField
-    {
-    public:
-      explicit BetterStressField(const BodyResult &result)
-          : dof_handler_(result.body->space().mesh().triangulation)
-      {
-        const Space &space = result.body->space();
-        const bool quadrilaterals = space.dof_handler().get_fe().reference_cell().is_hyper_cube();
-        if (quadrilaterals)
-          dof_handler_.distribute_dofs(
-              dealii::FESystem<2>(dealii::FE_DGQ<2>(space.degree()), n_stress_values));
-        else
-          dof_handler_.distribute_dofs(
-              dealii::FESystem<2>(dealii::FE_SimplexDGP<2>(space.degree()), n_stress_values));
-        values_.reinit(dof_handler_.n_dofs());
-        fit(space, result.better);
-      }
-
-      const dealii::DoFHandler<2> &dof_handler() const { return dof_handler_; }
-      const dealii::Vector<double> &values() const { return values_; }
-
-    private:
-      void fit(const Space &space, const std::vector<Stress> &better)
-      {
-        const auto &element = dof_handler_.get_fe();
-        const auto &scalar = element.base_element(0);
-        dealii::FEValues<2> values(space.mapping(), scalar, comparison_rule(space),
-                                   dealii::update_values | dealii::update_JxW_values);
-        const auto n = static_cast<Eigen::Index>(scalar.n_dofs_per_cell());
-        std::vector<dealii::types::global_dof_index> dofs(element.n_dofs_per_cell());
-        auto stress = better.begin();
-        for (const auto &cell : dof_handler_.active_cell_iterators())
-        {
-          values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(cell)); // one component of four
-          Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
-          Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, n_stress_values);
-          for (const unsigned int q : values.quadrature_point_indices())
-          {
-            Eigen::VectorXd shapes(n);
-            for (Eigen::Index i = 0; i < n; ++i)
-              shapes[i] = values.shape_value(static_cast<unsigned int>(i), q);
-            const auto s = stress_values(*stress++);
-            mass += values.JxW(q) * shapes * shapes.transpose();
-            moments += values.JxW(q) * shapes * Eigen::RowVectorXd::Map(s.data(), n_stress_values);
-          }
-          const Eigen::MatrixXd fitted = mass.ldlt().solve(moments);
-          cell->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-          {
-            const auto [component, shape] = element.system_to_component_index(i);
-            values_[dofs[i]] = fitted(shape, component);
-          }
-        }
-      }
-
-      dealii::DoFHandler<2> dof_handler_;
-      dealii::Vector<double> values_;
-    };
-  } // namespace
-
   std::string vtu(const BodyResult &result)
   {
-    using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
-    const Space &space = result.body->space();
-    const dealii::Vector<double> displacement(result.displacement.begin(), result.displacement.end());
-    const dealii::Vector<double> deformation(result.deformation.begin(), result.deformation.end());
-    const dealii::Vector<double> level = levels(space.mesh().triangulation);
-    const StressField field(*result.body, result.deformation);
-    const StressPostprocessor stress(field);
-    const BetterStressPostprocessor better_stress;
-    std::unique_ptr<BetterStressField> better;
-
-    dealii::DataOut<2> data;
-    data.attach_dof_handler(space.dof_handler());
-    data.add_data_vector(
-        displacement, std::vector<std::string>(2, "displacement"), dealii::DataOut<2>::type_dof_data,
-        std::vector<Interpretation>(2, dealii::DataComponentInterpretation::component_is_part_of_vector));
-    data.add_data_vector(deformation, stress);
-    data.add_data_vector(level, "level", dealii::DataOut<2>::type_cell_data);
-    const std::vector<double> means = mean_von_mises(result);
-    const dealii::Vector<double> mean(means.begin(), means.end());
-    data.add_data_vector(mean, "mean_von_mises", dealii::DataOut<2>::type_cell_data);
-    const dealii::Vector<double> eta(result.eta.begin(), result.eta.end());
-    if (eta.size() > 0)
-      data.add_data_vector(eta, "eta", dealii::DataOut<2>::type_cell_data);
-    if (!result.better.empty())
-    {
-      better = std::make_unique<BetterStressField>(result);
-      data.add_data_vector(better->dof_handler(), better->values(), better_stress);
-    }
-    data.build_patches(space.mapping(), space.degree(), dealii::DataOut<2>::curved_inner_cells);
-
+    const OutputPatches output =
+        result.body->output_patches({result.displacement, result.deformation, result.eta, result.better});
     dealii::DataOutBase::VtkFlags flags;
     flags.compression_level = dealii::DataOutBase::VtkFlags::default_compression;
-    data.set_flags(flags);
     std::ostringstream out;
-    data.write_vtu(out);
+    dealii::DataOutBase::write_vtu(output.patches, output.names, output.vectors, flags, out);
     return out.str();
   }
 

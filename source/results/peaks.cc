@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/finite_elements/stress_field.h>
 #include <abut/results/peaks.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_simplex_p.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,73 +20,41 @@ namespace abut
       return std::abs(mean) + radius;
     }
 
-    /// Keeps the largest values of points that are visited cell by cell.
-    class PeakFinder
+    void raise(Peak &peak, const double value, const SamplePoint &point)
     {
-    public:
-      explicit PeakFinder(const std::size_t points_per_cell) : points_per_cell_(points_per_cell) {}
-
-      void next(const Vector2 &place)
-      {
-        place_ = place;
-        cell_ = static_cast<unsigned int>(visited_++ / points_per_cell_);
-      }
-      void restart() { visited_ = 0; }
-      void raise(Peak &peak, const double value) const
-      {
-        if (!(value <= peak.value)) // NaN is raised too
-          peak = {value, place_, cell_};
-      }
-
-    private:
-      std::size_t points_per_cell_, visited_ = 0;
-      Vector2 place_ = Vector2::Zero();
-      unsigned int cell_ = 0;
-    };
+      if (!(value <= peak.value)) // NaN is raised too
+        peak = {value, point.place, point.cell};
+    }
   } // namespace
-
-  dealii::Quadrature<2> output_points(const Space &space)
-  {
-    if (space.mesh().cell_type == CellType::triangles)
-      return dealii::Quadrature<2>(dealii::FE_SimplexP<2>(space.degree()).get_unit_support_points());
-    return dealii::QIterated<2>(dealii::QTrapezoid<1>(), space.degree());
-  }
 
   BodyPeaks find_peaks(const Body &body, const Eigen::VectorXd &displacement,
                        const Eigen::VectorXd &deformation, const std::vector<Vector2> &singular_vertices)
   {
-    const Space &space = body.space();
     BodyPeaks peaks;
-    PeakFinder at_output_points(output_points(space).size()), at_gauss_points(space.quadrature().size());
     Vector2 low = Vector2::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    visit_gradients(space, output_points(space), displacement,
-                    [&](const Vector2 &place, double, const Vector2 &u, const Eigen::Matrix2d &) {
-                      at_output_points.next(place);
-                      at_output_points.raise(peaks.displacement, u.norm());
-                      low = low.cwiseMin(place);
-                      high = high.cwiseMax(place);
-                    });
+    body.visit_displacement(displacement, SamplePoints::output,
+                            [&](const SamplePoint &point, const Vector2 &u, const Eigen::Matrix2d &) {
+                              raise(peaks.displacement, u.norm(), point);
+                              low = low.cwiseMin(point.place);
+                              high = high.cwiseMax(point.place);
+                            });
     const double near = near_share * (high - low).norm();
     const auto is_regular = [&](const Vector2 &place) {
       return std::none_of(singular_vertices.begin(), singular_vertices.end(),
                           [&](const Vector2 &vertex) { return (place - vertex).norm() < near; });
     };
-    at_output_points.restart();
-    StressField(body, deformation)
-        .visit(output_points(space), [&](const Vector2 &place, double, const Stress &stress) {
-          at_output_points.next(place);
-          at_output_points.raise(peaks.von_mises, stress.von_mises());
-          if (is_regular(place))
-            at_output_points.raise(peaks.regular_von_mises, stress.von_mises());
-        });
-    visit_gradients(space, space.quadrature(), deformation,
-                    [&](const Vector2 &place, double, const Vector2 &, const Eigen::Matrix2d &gradient) {
-                      const double strain = largest_strain(gradient);
-                      at_gauss_points.next(place);
-                      at_gauss_points.raise(peaks.strain, strain);
-                      if (is_regular(place))
-                        at_gauss_points.raise(peaks.regular_strain, strain);
-                    });
+    body.visit_stress(deformation, SamplePoints::output, [&](const SamplePoint &point, const Stress &stress) {
+      raise(peaks.von_mises, stress.von_mises(), point);
+      if (is_regular(point.place))
+        raise(peaks.regular_von_mises, stress.von_mises(), point);
+    });
+    body.visit_displacement(deformation, SamplePoints::energy,
+                            [&](const SamplePoint &point, const Vector2 &, const Eigen::Matrix2d &gradient) {
+                              const double strain = largest_strain(gradient);
+                              raise(peaks.strain, strain, point);
+                              if (is_regular(point.place))
+                                raise(peaks.regular_strain, strain, point);
+                            });
     return peaks;
   }
 } // namespace abut

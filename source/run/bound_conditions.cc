@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/finite_elements/locking.h>
 #include <abut/run/bound_conditions.h>
 #include <abut/run/part_cells.h>
 
@@ -24,15 +23,8 @@ namespace abut
     std::string of_bodies(const std::vector<BodyResult> &bodies)
     {
       for (const BodyResult &result : bodies)
-        if (result.body->projects_divergence())
-          return "the projected divergence of the nearly incompressible body " + result.body->name() +
-                 " is left out of the theory";
-        else if (result.body->description().allow_locking &&
-                 result.body->material().poisson_ratio > largest_locking_ratio)
-          return "body " + result.body->name() + " is allowed to lock";
-        else if (result.body->space().mesh().curved)
-          return "the error of the straight edges that stand for the curved sides of body " +
-                 result.body->name() + " is not part of it";
+        if (const std::string reason = result.body->why_no_bound(); !reason.empty())
+          return reason;
       return "";
     }
 

@@ -90,7 +90,7 @@ namespace abut
     std::vector<CellMarks> marks;
     for (std::size_t a = 0; a < bodies.size(); ++a)
       marks.push_back(scene.bodies[a].adapt ? mark(estimation.errors[a], estimation.eta[a], scene.adaptation)
-                                            : no_marks(bodies[a].body->space().mesh().triangulation));
+                                            : no_marks(bodies[a].body->counts().cells));
     for (const PairResult &pair : pairs)
       mark_missed(scene, pair, bodies, marks);
     return marks;

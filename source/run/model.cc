@@ -25,8 +25,8 @@ namespace abut
       : scene_(scene), is_prepared_(scene.bodies.size(), false)
   {
     for (std::size_t a = 0; a < scene.bodies.size(); ++a)
-      bodies_.push_back(std::make_unique<Body>(with_exact_conditions(scene, a, exact),
-                                               contact_sides(scene, scene.bodies[a].name)));
+      bodies_.push_back(
+          make_body(with_exact_conditions(scene, a, exact), contact_sides(scene, scene.bodies[a].name)));
     std::vector<PairInput> inputs;
     for (std::size_t i = 0; i < scene.contacts.size(); ++i)
       inputs.push_back(pair_input(i));
@@ -82,20 +82,20 @@ namespace abut
   {
     Counts sum;
     for (const auto &body : bodies_)
-      sum = sum + count(body->space());
+      sum = sum + body->counts();
     return sum;
   }
 
   void Model::prepare(Times &times)
   {
-    std::vector<Body::PreparationTimes> of_body(bodies_.size());
+    std::vector<PreparationTimes> of_body(bodies_.size());
     for_each_body(bodies_.size(), [&](const std::size_t a) {
       if (!is_prepared_[a])
         of_body[a] = bodies_[a]->prepare();
     });
     is_prepared_.assign(bodies_.size(), true);
-    Body::PreparationTimes longest; // side by side
-    for (const Body::PreparationTimes &t : of_body)
+    PreparationTimes longest; // side by side
+    for (const PreparationTimes &t : of_body)
       longest = {std::max(longest.assemble, t.assemble), std::max(longest.factorise, t.factorise)};
     times.assemble += longest.assemble;
     times.factorise += longest.factorise;
@@ -118,9 +118,9 @@ namespace abut
     {
       if (!marks[a].any())
         continue;
-      const unsigned int meshes_before = bodies_[a]->counters().meshes;
+      const unsigned int version_before = bodies_[a]->mesh_version();
       carried.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
-      if (bodies_[a]->counters().meshes != meshes_before)
+      if (bodies_[a]->mesh_version() != version_before)
         is_prepared_[a] = false;
     }
     for (std::size_t k = 0; k < surfaces_.size(); ++k)

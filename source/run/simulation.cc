@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/sparse_cholesky.h>
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/decomposition/pushed_bodies.h>
@@ -58,7 +59,7 @@ namespace abut
   {
     std::vector<Eigen::VectorXd> prescribed;
     for (const auto &body : bodies())
-      prescribed.push_back(body->trace_of(body->supports().fixed + body->rigid_motion(0.)));
+      prescribed.push_back(body->prescribed_trace());
     const InterfaceProblem &problem = model_->problem();
     refuse_pushed_bodies(problem, motions, problem.observe(prescribed).head(problem.n_pressures()));
   }
@@ -67,8 +68,8 @@ namespace abut
   {
     const auto prescribed = [&](const ContactBody &side) -> Eigen::VectorXd {
       const Body &body = *bodies()[side.body];
-      return body.trace_of(body.supports().fixed + body.rigid_motion(0.))
-          .segment(body.trace_offset(side.side), static_cast<Eigen::Index>(2 * side.trace->n_nodes()));
+      return body.prescribed_trace().segment(body.trace_offset(side.side),
+                                             static_cast<Eigen::Index>(2 * side.trace->n_nodes()));
     };
     for (const ContactPair *pair : pairs())
     {
@@ -270,7 +271,7 @@ namespace abut
     const auto n_meshes = [&] {
       unsigned int sum = 0;
       for (const auto &body : bodies())
-        sum += body->counters().meshes;
+        sum += body->mesh_version();
       return sum;
     };
     const unsigned int before = n_meshes();

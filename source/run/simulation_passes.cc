@@ -103,7 +103,7 @@ namespace abut
     record.pass = static_cast<unsigned int>(results.passes.size());
     record.counts = counts();
     for (const auto &body : bodies())
-      record.meshes.push_back(mesh_quality(body->space().mesh().triangulation));
+      record.meshes.push_back(body->mesh_quality());
     record.cost = cost_;
     record.steps = results.iteration.steps;
     record.increment = results.iteration.increment;

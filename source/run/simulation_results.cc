@@ -4,7 +4,6 @@
 
 #include <abut/adaptation/estimator_worth.h>
 #include <abut/base/user_error.h>
-#include <abut/bodies/boundary_elements/graded_sides.h>
 #include <abut/run/simulation.h>
 
 #include <algorithm>
@@ -47,7 +46,7 @@ namespace abut
     result.body = &body;
     result.contact_forces = contact;
     result.rigid_displacement = results.rigid_displacement;
-    Eigen::VectorXd motion = Eigen::VectorXd::Zero(body.space().n_dofs());
+    Eigen::VectorXd motion;
     if (results.iteration.motions.size() > 0)
     {
       const Eigen::VectorXd own = solver_->motions()->all.of_body(results.iteration.motions, index);
@@ -55,7 +54,9 @@ namespace abut
       motion = body.free_motion(own);
     }
     result.deformation = body.deformation(contact, result.rigid_displacement);
-    result.displacement = result.deformation + body.rigid_motion(result.rigid_displacement) + motion;
+    result.displacement = result.deformation + body.rigid_motion(result.rigid_displacement);
+    if (motion.size() > 0)
+      result.displacement += motion;
     result.energy = body.strain_energy(result.deformation);
     result.reactions = body.reactions(result.deformation, contact);
     return result;
@@ -66,7 +67,7 @@ namespace abut
     for (BodyResult &result : results.bodies)
     {
       result.peaks =
-          find_peaks(*result.body, result.displacement, result.deformation, singular_vertices(*result.body));
+          find_peaks(*result.body, result.displacement, result.deformation, result.body->singular_vertices());
       if (!std::isfinite(result.energy) || !std::isfinite(result.peaks.von_mises.value))
         throw ComputationError(
             "Body " + result.body->name() +
@@ -145,7 +146,7 @@ namespace abut
           scene.adaptation.boundary_solution == BoundarySolution::reference_quality)
         return {};
       for (const auto &body : bodies)
-        if (!singular_vertices(*body).empty())
+        if (!body->singular_vertices().empty())
           return body->name();
       return {};
     }
@@ -173,7 +174,7 @@ namespace abut
     {
       for (const auto &body : bodies)
       {
-        const unsigned int degree = body->space().degree();
+        const unsigned int degree = body->description().degree;
         const auto worth = estimator_worth(kind, degree);
         if (!worth || !worth->is_rough())
           continue;

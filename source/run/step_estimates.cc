@@ -33,8 +33,7 @@ namespace abut
       const OwnStress stress = exact_ == nullptr ? OwnStress() : exact_->stress(a);
       if (!stress)
         return {};
-      const std::vector<StressSample> samples =
-          stress_samples(bodies[a], comparison_rule(bodies[a].body->space()));
+      const std::vector<StressSample> samples = stress_samples(bodies[a], SamplePoints::comparison);
       if (exact_stresses_.size() == a)
         exact_stresses_.push_back(at_samples(stress, samples));
       const Material material = bodies[a].body->material();

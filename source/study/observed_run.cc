@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/user_error.h>
 #include <abut/study/observed_run.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace abut
 {
@@ -44,11 +42,11 @@ namespace abut
       return sorted_by_x(std::move(points));
     }
 
-    std::vector<unsigned int> levels_of(const Space &space)
+    std::vector<unsigned int> levels_of(const Body &body)
     {
       std::vector<unsigned int> levels;
-      for (const auto &cell : space.mesh().triangulation.active_cell_iterators())
-        levels.push_back(static_cast<unsigned int>(cell->level()));
+      for (const CellInfo &cell : body.cells())
+        levels.push_back(cell.level);
       return levels;
     }
 
@@ -64,7 +62,7 @@ namespace abut
       const BodyResult &result = state.results.bodies[body];
       ObservedPass pass;
       pass.record = state.results.passes.back();
-      pass.counts = count(result.body->space());
+      pass.counts = result.body->counts();
       pass.boundary_unknowns = boundary_unknowns(state.estimation, body);
       if (body < state.estimation.errors.size())
         pass.boundary_elements = static_cast<std::size_t>(state.estimation.errors[body].boundary.elements);
@@ -72,39 +70,14 @@ namespace abut
       for (std::size_t a = 0; a < state.results.bodies.size(); ++a)
         pass.all_unknowns += boundary_unknowns(state.estimation, a);
       pass.drawing = undeformed_body(result);
-      pass.levels = levels_of(result.body->space());
+      pass.levels = levels_of(*result.body);
       pass.contact_displacement = contact_displacement(state, body);
       if (!state.results.pairs.empty())
         pass.pressure = pressure_curve(state.results.pairs.front());
-      pass.monitored = displacement_at(result, monitored);
+      pass.monitored = result.body->displacement_at(result.displacement, monitored);
       return pass;
     }
   } // namespace
-
-  Vector2 displacement_at(const BodyResult &result, const Vector2 &point)
-  {
-    const Space &space = result.body->space();
-    const dealii::Point<2> place(point.x(), point.y());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-    {
-      if (!cell->point_inside(place))
-        continue;
-      const dealii::Quadrature<2> at_point(space.mapping().transform_real_to_unit_cell(cell, place));
-      dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(), at_point,
-                                 dealii::update_values);
-      values.reinit(cell);
-      std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
-      cell->get_dof_indices(dofs);
-      Vector2 sum = Vector2::Zero();
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        sum[values.get_fe().system_to_component_index(i).first] +=
-            values.shape_value(i, 0) * result.displacement[static_cast<Eigen::Index>(dofs[i])];
-      return sum;
-    }
-    std::ostringstream text;
-    text << "Body " << result.body->name() << " has no point (" << point.x() << ", " << point.y() << ")";
-    throw UserError(text.str());
-  }
 
   ObservedRun observe_run(const Scene &scene, const std::string &name, const Vector2 &monitored)
   {

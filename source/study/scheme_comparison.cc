@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
+#include <abut/base/sparse_cholesky.h>
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/decomposition/interface_solver.h>

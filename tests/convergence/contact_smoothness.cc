@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../space_of.h"
 #include "digits.h"
 #include "roller_layers.h"
 #include <iomanip>
@@ -58,13 +59,13 @@ namespace
     CarriedState state{{}, Eigen::VectorXd::Zero(model.problem().n_pressures())};
     for (std::size_t a = 0; a < model.bodies().size(); ++a)
     {
-      const auto &triangulation = model.bodies()[a]->space().mesh().triangulation;
+      const auto &triangulation = space_of(*model.bodies()[a]).mesh().triangulation;
       marks.push_back(no_marks(triangulation));
       for (const auto &cell : triangulation.active_cell_iterators())
         if (static_cast<unsigned int>(std::floor(cell->center()[0] * 4.)) % 2 == a &&
             std::abs(cell->center()[1] - 1.) < .5 / (1 << pass))
           marks.back().refine[cell->active_cell_index()] = true;
-      state.displacements.push_back(Eigen::VectorXd::Zero(model.bodies()[a]->space().n_dofs()));
+      state.displacements.push_back(Eigen::VectorXd::Zero(space_of(*model.bodies()[a]).n_dofs()));
     }
     model.adapt(marks, state);
   }

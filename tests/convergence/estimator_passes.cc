@@ -5,6 +5,7 @@
 #include <abut/comparison/quality.h>
 #include <abut/study/quality_table.h>
 
+#include "../space_of.h"
 #include "solved_scene.h"
 #include <iostream>
 #include <sstream>
@@ -50,7 +51,7 @@ namespace
     return condition;
   }
 
-  PassRecord measured(const Body &body, const Indicator &indicator, const ExactSolution &exact,
+  PassRecord measured(const FiniteElementBody &body, const Indicator &indicator, const ExactSolution &exact,
                       const AdaptationParameters &parameters, Estimation &estimation)
   {
     BodyResult result;
@@ -59,7 +60,7 @@ namespace
     result.deformation = body.deformation(result.contact_forces, 0.);
     estimation = estimate(indicator, parameters, {result});
     PassRecord pass;
-    pass.counts = count(body.space());
+    pass.counts = body.counts();
     pass.quality = estimator_quality(exact, estimation, {result}, {});
     return pass;
   }
@@ -110,7 +111,7 @@ EstimatorPasses::EstimatorPasses(const std::string &title, const KnownBody &know
   parameters.fraction = meshes == Meshes::uniform ? 1. : .5;
   const auto indicator = make_indicator(estimator, boundary_solution);
   const KnownResponse exact(known.stress);
-  Body body(known.description, {});
+  FiniteElementBody body(known.description, {});
   Estimation estimation;
   for (unsigned int i = 0; i < n_passes; ++i)
   {

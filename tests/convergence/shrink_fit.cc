@@ -30,9 +30,11 @@ namespace
   template <typename Field> double stress_error(const BodyResult &result, const Field &exact)
   {
     double error = 0., square = 0.;
-    visit_gradients(
-        result.body->space(), result.body->space().quadrature(), result.displacement,
-        [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
+    result.body->visit_displacement(
+        result.displacement, SamplePoints::energy,
+        [&](const SamplePoint &sample, const Vector2 &, const Eigen::Matrix2d &gradient) {
+          const Vector2 &point = sample.place;
+          const double weight = sample.weight;
           const Stress s = result.body->material().stress(gradient);
           const PolarStress e = exact(point.norm());
           Eigen::Matrix2d computed, turn;

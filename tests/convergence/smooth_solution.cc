@@ -120,7 +120,7 @@ Eigen::Matrix2d SmoothSolution::gradient(const Vector2 &point) const
 SmoothErrors solve_smooth(const BodyDescription &shape, const SmoothField &field)
 {
   const SmoothSolution exact(shape, field);
-  Body body(exact.description(), {});
+  FiniteElementBody body(exact.description(), {});
   body.prepare();
   const Eigen::VectorXd u = body.displacement(Eigen::VectorXd::Zero(body.trace_size()), 0.);
 

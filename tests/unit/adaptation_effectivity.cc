@@ -13,7 +13,8 @@ namespace
     double stress = 0., energy = 0.;
   };
 
-  Norms true_error(const Body &body, const Eigen::VectorXd &deformation, const SmoothSolution &exact)
+  Norms true_error(const FiniteElementBody &body, const Eigen::VectorXd &deformation,
+                   const SmoothSolution &exact)
   {
     Norms squares;
     visit_gradients(
@@ -46,7 +47,7 @@ namespace
     if (mesh == Mesh::graded)
       shape.grading = {{5., .2}};
     const SmoothSolution exact(shape);
-    Body body(exact.description(), {});
+    FiniteElementBody body(exact.description(), {});
     if (mesh == Mesh::refined)
     {
       CellMarks marks = no_marks(body.space().mesh().triangulation);

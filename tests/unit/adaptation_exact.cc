@@ -52,7 +52,7 @@ TEST(AdaptationExact, NothingIsEstimatedWhereTheElementsAreExact)
   for (const Variant &variant : variants)
     for (const EstimatorKind kind : estimators)
     {
-      Body body(polynomial_body(variant), {});
+      FiniteElementBody body(polynomial_body(variant), {});
       refine_towards(body, {1.1, .9}, 3);
       refine_towards(body, {3., 2.}, 2);
       ASSERT_TRUE(body.space().has_hanging_nodes());
@@ -72,7 +72,7 @@ TEST(AdaptationExact, NothingIsEstimatedUnderAUniformContactPressure)
       BodyDescription description = polynomial_body(variant);
       description.body_force.clear();
       set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0");
-      Body body(description, {"top"});
+      FiniteElementBody body(description, {"top"});
       refine_towards(body, {3., 2.}, 3);
       body.prepare();
       Eigen::VectorXd load = Eigen::VectorXd::Zero(body.space().n_dofs());
@@ -96,7 +96,7 @@ TEST(AdaptationExact, WithoutStressEtaIsZero)
       BodyDescription description = polynomial_body(variant);
       description.body_force.clear();
       set_conditions(description, "left: displacement: 0, 0");
-      Body body(description, {"top"});
+      FiniteElementBody body(description, {"top"});
       refine_towards(body, {1.1, .9}, 2);
       const CellErrors errors = estimate(body, kind);
       EXPECT_EQ(errors.stress.norm(), 0.);
@@ -113,9 +113,10 @@ TEST(AdaptationExact, EtaDependsNeitherOnPlaceNorOnUnits)
       std::vector<Eigen::VectorXd> eta;
       for (const bool moved : {false, true})
       {
-        Body body(smooth_body(variant, moved ? Placement(25., true, 37., Vector2(300., -200.)) : Placement(),
-                              moved ? 2.1e5 : 3.),
-                  {});
+        FiniteElementBody body(
+            smooth_body(variant, moved ? Placement(25., true, 37., Vector2(300., -200.)) : Placement(),
+                        moved ? 2.1e5 : 3.),
+            {});
         refine_towards(body, {1.3, 1.}, 2);
         refine_towards(body, {.4, .5}, 1);
         eta.push_back(sorted(relative_errors(estimate(body, kind), Normalisation::rms)));
@@ -139,7 +140,7 @@ TEST(AdaptationExact, TheLargestErrorsAreAtAKink)
       description.cells = {{10, 6}};
       description.grading = {{1., 1.}};
       set_conditions(description, "left" + moved + ";right" + moved + ";top" + moved + ";bottom" + moved);
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       const CellErrors errors = estimate(body, kind);
       Eigen::Index largest;
       errors.stress.maxCoeff(&largest);

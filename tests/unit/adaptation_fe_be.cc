@@ -29,7 +29,7 @@ namespace
     return Eigen::Vector2d(own.y(), 0.).asDiagonal();
   }
 
-  Eigen::VectorXd deformation_of(const Body &body)
+  Eigen::VectorXd deformation_of(const FiniteElementBody &body)
   {
     return body.deformation(Eigen::VectorXd::Zero(body.trace_size()), 0.);
   }
@@ -43,7 +43,7 @@ TEST(AdaptationFEBE, EstimatesNothingForALinearDisplacement)
       {
         BodyDescription description = turned_plate(variant.type, variant.degree, 1.5);
         set_conditions(description, conditions);
-        Body body(description, {});
+        FiniteElementBody body(description, {});
         refine_towards(body, {1.1, .9}, 2);
         refine_towards(body, {3., 2.}, 2);
         ASSERT_TRUE(body.space().has_hanging_nodes());
@@ -66,7 +66,7 @@ TEST(AdaptationFEBE, IsExactInBendingFromDegreeTwoOn)
         continue;
       BodyDescription description = turned_plate(variant.type, variant.degree, 1.);
       set_conditions(description, bending_conditions);
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       refine_towards(body, {3., 2.}, 2);
       const CellErrors errors = estimate(body, kind);
       const StressErrors found = stress_errors(body, deformation_of(body), errors, bending_stress);
@@ -83,7 +83,7 @@ TEST(AdaptationFEBE, IsBetterThanFiniteElementsOfDegreeOne)
       BodyDescription description = turned_plate(type, 1, 1.);
       description.cells = {{12, 8}};
       set_conditions(description, bending_conditions);
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       const CellErrors errors = estimate(body, kind);
       const StressErrors found = stress_errors(body, deformation_of(body), errors, bending_stress);
       EXPECT_LT(found.boundary_elements, .5 * found.finite_elements) << name_of(kind);
@@ -102,7 +102,7 @@ TEST(AdaptationFEBE, TheLargestErrorsAreAtAKink)
       description.cells = {{10, 6}};
       description.grading = {{1., 1.}};
       set_conditions(description, displaced_sides({"left", "right", "top", "bottom"}, formulas));
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       const CellErrors errors = estimate(body, kind);
       EXPECT_GT(errors.stress.norm(), .01 * errors.stress_norm);
       Eigen::Index largest;
@@ -125,7 +125,7 @@ TEST(AdaptationFEBE, AnswersTheContactTraction)
     {
       BodyDescription description = turned_plate(variant.type, variant.degree, 1.);
       set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0");
-      Body body(description, {"top"});
+      FiniteElementBody body(description, {"top"});
       refine_towards(body, {3., 2.}, 2);
       body.prepare();
       Eigen::VectorXd load = Eigen::VectorXd::Zero(body.space().n_dofs());
@@ -154,7 +154,7 @@ TEST(AdaptationFEBE, TakesOffAUniformForce)
       description.body_force = {Expression("0", {}, "test"), Expression("-0.7", {}, "test")};
       set_conditions(description, "left: normal displacement: 0; right: normal displacement: 0; "
                                   "bottom: normal displacement: 0");
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       const CellErrors errors = estimate(body, kind);
       const auto exact = [](const Vector2 &own) -> Eigen::Matrix2d {
         const double s = -.7 * (2. - own.y());
@@ -177,7 +177,7 @@ TEST(AdaptationFEBE, ReproducesAFreeColumnUnderItsOwnWeight)
       description.body_force = {Expression("0", {}, "test"), Expression("-0.7", {}, "test")};
       set_conditions(description,
                      "bottom: displacement: 0.7*0.15*(2-y)*x, 0.7*(-0.35*(2*y-0.5*y^2)+0.075*x^2)");
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       refine_towards(body, {3., 2.}, 2);
       const CellErrors errors = estimate(body, kind);
       const auto exact = [](const Vector2 &own) -> Eigen::Matrix2d {

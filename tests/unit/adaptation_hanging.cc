@@ -8,7 +8,7 @@ using namespace abut;
 
 namespace
 {
-  std::unique_ptr<Body> two_squares(const unsigned int degree)
+  std::unique_ptr<FiniteElementBody> two_squares(const unsigned int degree)
   {
     auto description = make_body(Shape::rectangle, {2., 1.}, {{2, 1}});
     description.degree = degree;
@@ -16,7 +16,7 @@ namespace
     description.poisson_ratio = .3;
     set_conditions(description, "left: displacement: 0, 0; right: displacement: 0, 0; "
                                 "top: displacement: 0, 0; bottom: displacement: 0, 0");
-    auto body = std::make_unique<Body>(description, std::vector<std::string>());
+    auto body = std::make_unique<FiniteElementBody>(description, std::vector<std::string>());
     CellMarks marks = no_marks(body->space().mesh().triangulation);
     for (const auto &cell : body->space().mesh().triangulation.active_cell_iterators())
       marks.refine[cell->active_cell_index()] = cell->center()[0] > 1.;
@@ -25,7 +25,7 @@ namespace
   }
 
   /// |x - 1| in both components: a strain that jumps between the squares.
-  Eigen::VectorXd folded(const Body &body)
+  Eigen::VectorXd folded(const FiniteElementBody &body)
   {
     Eigen::VectorXd u(body.space().n_dofs());
     const Nodes nodes = all_nodes(body.space());

@@ -20,7 +20,7 @@ namespace abut
   }
 
   /// What an indicator says of a body that is loaded and supported, and touched by nothing.
-  inline CellErrors estimate(Body &body, const EstimatorKind kind)
+  inline CellErrors estimate(FiniteElementBody &body, const EstimatorKind kind)
   {
     body.prepare();
     const Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());

@@ -12,7 +12,7 @@ using namespace abut;
 
 namespace
 {
-  std::vector<Trace> sides_of(const Body &body)
+  std::vector<Trace> sides_of(const FiniteElementBody &body)
   {
     std::vector<Trace> sides;
     for (const auto boundary : body.space().mesh().triangulation.get_boundary_ids())
@@ -20,7 +20,7 @@ namespace
     return sides;
   }
 
-  unsigned int n_boundary_edges(const Body &body)
+  unsigned int n_boundary_edges(const FiniteElementBody &body)
   {
     unsigned int n = 0;
     for (const auto &cell : body.space().mesh().triangulation.active_cell_iterators())
@@ -127,7 +127,7 @@ TEST(BemSpace, HoldsTheBoundaryOfAPlate)
   for (const Variant &variant : variants)
     for (const bool refined : {false, true})
     {
-      Body body(turned_plate(variant.type, variant.degree, 1.5), {});
+      FiniteElementBody body(turned_plate(variant.type, variant.degree, 1.5), {});
       if (refined)
         refine_towards(body, {3., 2.}, 3);
       EXPECT_EQ(body.space().has_hanging_nodes(), refined);
@@ -146,7 +146,7 @@ TEST(BemSpace, HoldsTheCurvesOfARing)
 {
   for (const unsigned int degree : {1u, 2u})
   {
-    Body body(make_body(abut::Shape::ring, {.4, 1.}, {{8, 2}}), {});
+    FiniteElementBody body(make_body(abut::Shape::ring, {.4, 1.}, {{8, 2}}), {});
     const BoundarySpace space(sides_of(body), degree, 2);
     EXPECT_EQ(space.n_elements(), 64);
     EXPECT_EQ(count_curves(space), 2u);
@@ -168,7 +168,7 @@ TEST(BemSpace, HoldsTheBoundariesOfFiles)
     description.mesh_path = std::string(ABUT_SOURCE_DIR) + "/tests/data/" + name + ".msh";
     if (name == "triangles_4_1")
       description.cell_type = CellType::triangles;
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     const BoundarySpace space(sides_of(body), 1, 1);
     EXPECT_EQ(space.n_elements(), n_boundary_edges(body));
     EXPECT_EQ(count_curves(space), 1u);
@@ -181,7 +181,7 @@ TEST(BemSpace, TracesAreThoseOfTheField)
   for (const Variant &variant : variants)
     for (const unsigned int more : {0u, 1u})
     {
-      Body body(turned_plate(variant.type, variant.degree, 1.), {});
+      FiniteElementBody body(turned_plate(variant.type, variant.degree, 1.), {});
       refine_towards(body, {3., 2.}, 2);
       const BoundarySpace space(sides_of(body), variant.degree + more, variant.degree + more);
       const PowerField field{variant.degree};
@@ -209,7 +209,7 @@ TEST(BemSpace, RefusesCurvesThatAreNotClosed)
 {
   const Trace open = make_line(0., 1., 0., 4);
   EXPECT_THROW(BoundarySpace({open}, 1, 1), ComputationError);
-  Body body(turned_plate(CellType::quadrilaterals, 1, 1.), {});
+  FiniteElementBody body(turned_plate(CellType::quadrilaterals, 1, 1.), {});
   std::vector<Trace> sides = sides_of(body);
   sides.pop_back();
   EXPECT_THROW(BoundarySpace(sides, 1, 1), ComputationError);

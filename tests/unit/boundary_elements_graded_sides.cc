@@ -56,7 +56,7 @@ namespace
           std::count(graded.singular_ends().begin(), graded.singular_ends().end(), true));
     }
 
-    Body body;
+    FiniteElementBody body;
     GradedSides graded;
   };
 

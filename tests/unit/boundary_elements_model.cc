@@ -6,11 +6,11 @@ using namespace abut;
 
 namespace
 {
-  std::unique_ptr<Body> pulled_plate()
+  std::unique_ptr<FiniteElementBody> pulled_plate()
   {
     BodyDescription description = turned_plate(CellType::quadrilaterals, 1, 1.);
     set_conditions(description, "left: displacement: 0, 0; right: traction: 0.3, 0.1*y");
-    return std::make_unique<Body>(description, std::vector<std::string>());
+    return std::make_unique<FiniteElementBody>(description, std::vector<std::string>());
   }
 
   Eigen::MatrixX3d as_rows(const std::vector<Stress> &stresses)
@@ -69,7 +69,7 @@ TEST(AdaptationBoundary, StressIsThatOfTheBoundaryValues)
                             e.end * model.space().unit_length() + model.space().centre());
     const InteriorStress interior(elements, values, body->material().mu(), .3);
     std::vector<Complex> points;
-    visit_gradients(body->space(), comparison_rule(body->space()), deformation,
+    visit_gradients(body->space(), sample_rule(body->space(), SamplePoints::comparison), deformation,
                     [&](const Vector2 &p, double, const Vector2 &, const Eigen::Matrix2d &) {
                       points.emplace_back(p.x(), p.y());
                     });
@@ -85,7 +85,7 @@ TEST(AdaptationBoundary, SmoothingKeepsMeansAndHalvesJumps)
   BodyDescription description = turned_plate(CellType::quadrilaterals, 1, 1.);
   set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0; "
                               "right: traction: 0.3, 0.1*y");
-  const auto body = std::make_unique<Body>(description, std::vector<std::string>());
+  const auto body = std::make_unique<FiniteElementBody>(description, std::vector<std::string>());
   body->prepare();
   const Eigen::VectorXd none, deformation = body->deformation(none, 0.);
   const BodySolution solution{*body, deformation, none};
@@ -118,21 +118,21 @@ TEST(AdaptationBoundary, RefusesWhatItIsNotMadeFor)
 {
   const auto indicator = make_indicator(EstimatorKind::fe_be);
   const auto refused = [&](const BodyDescription &description, const std::string &part) {
-    const Body body(description, {});
+    const FiniteElementBody body(description, {});
     expect_refused([&] { indicator->check(body); }, part);
     for (const EstimatorKind other : estimators)
       EXPECT_NO_THROW(make_indicator(other)->check(body));
   };
   BodyDescription disc = make_body(Shape::disc, {1.}, {{4, 2}});
   set_conditions(disc, "outer: displacement: 0, 0");
-  EXPECT_NO_THROW(indicator->check(Body(disc, {})));
+  EXPECT_NO_THROW(indicator->check(FiniteElementBody(disc, {})));
   disc.degree = 2;
   refused(disc, "block: Degree = 2");
 
   BodyDescription plate = turned_plate(CellType::quadrilaterals, 2, 1.);
   set_conditions(plate, "left: displacement: 0, 0");
   plate.body_force = {Expression("2*3", {}, "test"), Expression("-1", {}, "test")};
-  EXPECT_NO_THROW(indicator->check(Body(plate, {})));
+  EXPECT_NO_THROW(indicator->check(FiniteElementBody(plate, {})));
   plate.body_force[1] = Expression("-1-x", {}, "test");
   refused(plate, "Body force = -1-x");
 }
@@ -145,13 +145,13 @@ TEST(AdaptationBoundary, RefusesForcesAtPoints)
     const std::string points = "(0,0): displacement: 0, 0; (3,0): displacement y: 0; ";
     // In balance by itself: the points carry nothing.
     set_conditions(description, points + "left: pressure: 0.2; right: pressure: 0.2");
-    Body balanced(description, {});
+    FiniteElementBody balanced(description, {});
     const CellErrors errors = estimate(balanced, kind);
     EXPECT_LT(errors.stress.norm(), accuracy(kind) * errors.stress_norm) << name_of(kind);
     EXPECT_NEAR(errors.stress_norm, .2 * std::sqrt(1.09 * 6.), 1e-4) << name_of(kind);
 
     set_conditions(description, points + "top: pressure: 0.2");
-    Body loaded(description, {});
+    FiniteElementBody loaded(description, {});
     EXPECT_THROW(estimate(loaded, kind), ComputationError) << name_of(kind);
     for (const EstimatorKind other : estimators)
       expect_no_boundary_elements(estimate(loaded, other));
@@ -167,7 +167,7 @@ TEST(AdaptationBoundary, OtherIndicatorsHaveNoBoundaryElements)
   disc.poisson_ratio = .3;
   disc.body_force = {Expression("x", {}, "test"), Expression("y^2", {}, "test")};
   set_conditions(disc, "outer: displacement: 0, 0");
-  Body body(disc, {});
+  FiniteElementBody body(disc, {});
   for (const EstimatorKind kind : estimators)
     expect_no_boundary_elements(estimate(body, kind));
 }
@@ -199,7 +199,7 @@ TEST(AdaptationBoundary, KeepsTheBodiesApart)
   const auto one = pulled_plate();
   BodyDescription description = turned_plate(CellType::triangles, 1, 2.);
   set_conditions(description, "left: displacement: 0, 0; top: traction: 0.3, 0.1*x");
-  Body other(description, {});
+  FiniteElementBody other(description, {});
   const Eigen::MatrixX3d of_one = as_rows(estimate(*one, indicator).better),
                          of_other = as_rows(estimate(other, indicator).better);
   EXPECT_EQ((as_rows(estimate(*one, indicator).better) - of_one).norm(), 0.);

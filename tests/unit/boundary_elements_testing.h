@@ -27,14 +27,14 @@ namespace abut
                : 1e-4;
   }
 
-  inline CellErrors estimate(Body &body, const Indicator &indicator)
+  inline CellErrors estimate(FiniteElementBody &body, const Indicator &indicator)
   {
     body.prepare();
     const Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());
     const Eigen::VectorXd deformation = body.deformation(forces, 0.);
     return indicator.estimate({body, deformation, forces});
   }
-  inline CellErrors estimate(Body &body, const BoundarySolution kind)
+  inline CellErrors estimate(FiniteElementBody &body, const BoundarySolution kind)
   {
     return estimate(body, FEBEIndicator(kind));
   }
@@ -46,7 +46,7 @@ namespace abut
     double boundary_elements, finite_elements;
   };
   using OwnStress = std::function<Eigen::Matrix2d(const Vector2 &own_point)>;
-  inline StressErrors stress_errors(const Body &body, const Eigen::VectorXd &deformation,
+  inline StressErrors stress_errors(const FiniteElementBody &body, const Eigen::VectorXd &deformation,
                                     const CellErrors &errors, const OwnStress &exact)
   {
     const Placement &placement = body.description().placement;
@@ -55,7 +55,7 @@ namespace abut
     double square = 0., square_b = 0., square_f = 0.;
     auto next = errors.better.begin();
     visit_gradients(
-        body.space(), comparison_rule(body.space()), deformation,
+        body.space(), sample_rule(body.space(), SamplePoints::comparison), deformation,
         [&](const Vector2 &point, const double weight, const Vector2 &, const Eigen::Matrix2d &gradient) {
           const Eigen::Matrix2d s = turn * exact(placement.point_to_own(point)) * turn.transpose();
           const Stress stress{s(0, 0), s(1, 1), s(0, 1), body.material().poisson_ratio * s.trace()};

@@ -59,7 +59,7 @@ namespace
     }
 
     ContactDescription contact;
-    Body lower, upper;
+    FiniteElementBody lower, upper;
   };
 } // namespace
 

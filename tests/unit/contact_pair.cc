@@ -47,7 +47,7 @@ namespace
     }
 
     Placement lower_placement;
-    Body lower, upper;
+    FiniteElementBody lower, upper;
   };
 } // namespace
 
@@ -120,8 +120,8 @@ TEST(ContactPair, SidesThatDoNotFaceAreRefused)
 
 TEST(ContactPair, CoverageOfAShiftedBlock)
 {
-  const Body lower(block(1., 5, Placement()), {"top"});
-  const Body upper(block(1., 3, Placement(1., false, 0., Vector2(3., 1.))), {"bottom"});
+  const FiniteElementBody lower(block(1., 5, Placement()), {"top"});
+  const FiniteElementBody upper(block(1., 3, Placement(1., false, 0., Vector2(3., 1.))), {"bottom"});
   const ContactDescription contact = description();
   const Placement placement;
   const ContactSurface surface({{&contact,
@@ -134,8 +134,9 @@ TEST(ContactPair, CoverageOfAShiftedBlock)
 namespace
 {
   /// Pairs of sides of bodies without more than that.
-  PairInput pair_of(const Body &slave, const std::size_t slave_body, const std::size_t slave_side,
-                    const Body &master, const std::size_t master_body, const std::size_t master_side)
+  PairInput pair_of(const FiniteElementBody &slave, const std::size_t slave_body,
+                    const std::size_t slave_side, const FiniteElementBody &master,
+                    const std::size_t master_body, const std::size_t master_side)
   {
     static const ContactDescription contact = description();
     static const Placement placement;
@@ -148,7 +149,7 @@ namespace
 
 TEST(ContactSurface, PairsOnOneSideAreOneSurface)
 {
-  const Body a(block(1., 4, Placement()), {"top", "bottom"});
+  const FiniteElementBody a(block(1., 4, Placement()), {"top", "bottom"});
   using Groups = std::vector<std::vector<std::size_t>>;
   // One lies on two, with slaves on either side; the pair of the other side stands alone.
   EXPECT_EQ(ContactSurface::group(
@@ -166,7 +167,7 @@ TEST(ContactSurface, PairsOnOneSideAreOneSurface)
 
 TEST(ContactSurface, TheFirstSlaveIsCut)
 {
-  const Body lower(block(1., 4, Placement()), {"top", "bottom"}),
+  const FiniteElementBody lower(block(1., 4, Placement()), {"top", "bottom"}),
       upper(block(1., 3, Placement(1., false, 0., Vector2(0., 1.))), {"bottom", "top"});
   for (const bool swapped : {false, true})
   {

@@ -10,11 +10,12 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    ContactBody contact_body(const Scene &scene, const std::vector<std::unique_ptr<Body>> &bodies,
+    ContactBody contact_body(const Scene &scene,
+                             const std::vector<std::unique_ptr<FiniteElementBody>> &bodies,
                              const std::string &name)
     {
       const std::size_t index = scene.body_index(name);
-      const Body &body = *bodies[index];
+      const FiniteElementBody &body = *bodies[index];
       return {index, 0, body.contact_sides()[0], body.material(), body.contact_depth(0)};
     }
   } // namespace
@@ -28,7 +29,7 @@ namespace abut
     {
       const bool is_slave = description.name == contact.slave.body;
       const std::string &side = is_slave ? contact.slave.boundary : contact.master.boundary;
-      bodies_.push_back(std::make_unique<Body>(description, std::vector<std::string>{side}));
+      bodies_.push_back(std::make_unique<FiniteElementBody>(description, std::vector<std::string>{side}));
       bodies_.back()->prepare();
     }
     const ContactBody slave = contact_body(scene_, bodies_, contact.slave.body);

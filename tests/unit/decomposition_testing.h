@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/decomposition/interface_problem.h>
 #include <abut/scene/scene.h>
 
@@ -18,14 +18,14 @@ namespace abut
     const InterfaceProblem &problem() const { return *problem_; }
     const DecompositionParameters &parameters() const { return scene_.decomposition; }
     const InterfaceProblem::Loads &loads() const { return loads_; }
-    const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
+    const std::vector<std::unique_ptr<FiniteElementBody>> &bodies() const { return bodies_; }
 
     /// ||u||_A of the displacements that answer the loads and pressures, from the bodies' stiffness.
     double energy_norm(const Eigen::VectorXd &pressures) const;
 
   private:
     Scene scene_;
-    std::vector<std::unique_ptr<Body>> bodies_;
+    std::vector<std::unique_ptr<FiniteElementBody>> bodies_;
     std::vector<ContactSurface> surfaces_;
     std::unique_ptr<InterfaceProblem> problem_;
     InterfaceProblem::Loads loads_;

@@ -17,7 +17,8 @@ namespace
     return body;
   }
 
-  CellMarks random_marks(const Body &body, std::mt19937 &random, const double split, const double merged)
+  CellMarks random_marks(const FiniteElementBody &body, std::mt19937 &random, const double split,
+                         const double merged)
   {
     std::uniform_real_distribution<double> number(0., 1.);
     CellMarks marks = no_marks(body.space().mesh().triangulation);
@@ -121,7 +122,7 @@ TEST(ElasticityAdapt, FieldsAreContinuousWhereNodesHang)
   for (const Variant &variant : variants)
   {
     std::mt19937 random(1);
-    Body body(turned_plate(variant), {});
+    FiniteElementBody body(turned_plate(variant), {});
     for (int pass = 0; pass < 4; ++pass)
       body.adapt(random_marks(body, random, .3, 0.), {});
     ASSERT_TRUE(body.space().has_hanging_nodes());
@@ -137,7 +138,7 @@ TEST(ElasticityAdapt, PolynomialsAreCarriedOver)
   for (const Variant &variant : variants)
   {
     std::mt19937 random(2);
-    Body body(turned_plate(variant), {});
+    FiniteElementBody body(turned_plate(variant), {});
     const auto exact = polynomial(variant.degree);
     std::vector<Eigen::VectorXd> fields{nodal_values(body.space(), exact),
                                         Eigen::VectorXd::Ones(body.space().n_dofs())};
@@ -155,7 +156,7 @@ TEST(ElasticityAdapt, SplittingAllAndMergingAllLeavesFieldsAndMeshAsTheyWere)
   for (const unsigned int degree : {1u, 2u, 3u})
   {
     std::mt19937 random(3);
-    Body body(turned_plate({CellType::quadrilaterals, degree}), {});
+    FiniteElementBody body(turned_plate({CellType::quadrilaterals, degree}), {});
     body.adapt(random_marks(body, random, .4, 0.), {});
     const Eigen::VectorXd field = random_field(body.space(), random);
     const double before = integral_of_square(body.space(), field);
@@ -179,7 +180,7 @@ TEST(ElasticityAdapt, RefiningChangesNoField)
   for (const Variant &variant : variants)
   {
     std::mt19937 random(4);
-    Body body(turned_plate(variant), {});
+    FiniteElementBody body(turned_plate(variant), {});
     Eigen::VectorXd field = random_field(body.space(), random);
     const double before = integral_of_square(body.space(), field);
     const Nodes old_nodes = all_nodes(body.space());
@@ -204,7 +205,7 @@ TEST(ElasticityAdapt, MergingKeepsTheValuesAtRemainingNodes)
   for (const unsigned int degree : {1u, 2u, 3u})
   {
     std::mt19937 random(5);
-    Body body(turned_plate({CellType::quadrilaterals, degree}), {});
+    FiniteElementBody body(turned_plate({CellType::quadrilaterals, degree}), {});
     std::vector<Eigen::VectorXd> fields{random_field(body.space(), random)};
     for (int pass = 0; pass < 10; ++pass)
     {
@@ -230,7 +231,7 @@ TEST(ElasticityAdapt, NoTwoFreeNodesShareAPlace)
   // With degree 2 a hanging vertex lies where the coarse edge's middle node does; only that one is free.
   for (const Variant &variant : variants)
   {
-    Body body(turned_plate(variant), {});
+    FiniteElementBody body(turned_plate(variant), {});
     refine_towards(body, {1.4, 1.2}, 3);
     const auto shared_places = [](const Nodes &nodes) {
       std::size_t n = 0;
@@ -248,7 +249,7 @@ TEST(ElasticityAdapt, EverythingBelongsToTheNewMesh)
 {
   for (const Variant &variant : variants)
   {
-    Body body(turned_plate(variant), {"top", "right"});
+    FiniteElementBody body(turned_plate(variant), {"top", "right"});
     body.prepare();
     const std::size_t n_nodes = body.contact_sides()[0].n_nodes();
     const double length = body.contact_sides()[0].length();

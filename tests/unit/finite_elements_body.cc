@@ -30,7 +30,7 @@ namespace
     return sum;
   }
 
-  Eigen::VectorXd some_forces(const Body &body)
+  Eigen::VectorXd some_forces(const FiniteElementBody &body)
   {
     Eigen::VectorXd forces(body.trace_size());
     for (Eigen::Index i = 0; i < forces.size(); ++i)
@@ -44,7 +44,7 @@ TEST(ElasticityBody, ReactionsBalanceAWeight)
   BodyDescription description = block("bottom: displacement: 0, 0");
   description.placement = Placement(2., false, 30., Vector2(5., 6.));
   set_body_force(description, "0", "-0.5");
-  Body body(description, {});
+  FiniteElementBody body(description, {});
   const Eigen::VectorXd u = untouched(body);
   const Reactions reactions = body.reactions(u, Eigen::VectorXd());
   // Area 4 * 6; the force per volume is given along the own axes and not scaled.
@@ -56,7 +56,7 @@ TEST(ElasticityBody, ReactionsBalanceAWeight)
 
 TEST(ElasticityBody, ACoupleIsNoBalanceOfMoments)
 {
-  Body body(block(""), {"top"});
+  FiniteElementBody body(block(""), {"top"});
   body.prepare();
   const auto &points = body.contact_sides()[0].node_points();
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());
@@ -73,7 +73,7 @@ TEST(ElasticityBody, ReactionsBalanceTractionsPressuresAndContactForces)
   BodyDescription description = block("bottom: normal displacement: 0; left: normal displacement: 0; "
                                       "top: traction: 0.1*x, -x^2; right: pressure: 0.2*y");
   description.placement = Placement(1., false, -20., Vector2(1., 1.));
-  Body body(description, {"top", "right"});
+  FiniteElementBody body(description, {"top", "right"});
   body.prepare();
   const Eigen::VectorXd forces = some_forces(body);
   const Eigen::VectorXd u = body.displacement(forces, 0.);
@@ -103,7 +103,7 @@ TEST(ElasticityBody, APressureOnACurvePullsNowhere)
   description.young_modulus = 2.6;
   description.poisson_ratio = .3;
   set_conditions(description, "outer: pressure: 0.1; (0, 0): displacement: 0, 0; (2, 0): displacement y: 0");
-  Body body(description, {});
+  FiniteElementBody body(description, {});
   EXPECT_TRUE(body.free_rigid_motions().empty());
   const Eigen::VectorXd u = untouched(body);
   EXPECT_LT(body.reactions(u, Eigen::VectorXd()).applied.norm(), 1e-14);
@@ -113,7 +113,7 @@ TEST(ElasticityBody, APressureOnACurvePullsNowhere)
 TEST(ElasticityBody, RespondsAsItsDisplacementChanges)
 {
   BodyDescription description = block("bottom: displacement: 0.01, 0.02; left: traction: 0.3, 0");
-  Body body(description, {"right", "top"});
+  FiniteElementBody body(description, {"right", "top"});
   body.prepare();
   const Eigen::VectorXd forces = some_forces(body), zero = Eigen::VectorXd::Zero(body.trace_size());
   const Eigen::VectorXd change = body.displacement(forces, 0.) - body.displacement(zero, 0.);
@@ -139,8 +139,8 @@ TEST(ElasticityBody, RespondsAsItsDisplacementChanges)
 
 TEST(ElasticityBody, LoadResponseTellsForcesFromSupports)
 {
-  Body by_both(block("bottom: displacement: 0.01, 0.02*x; right: traction: 0.3, -0.1"), {"top"});
-  Body by_force(block("bottom: displacement: 0, 0; right: traction: 0.3, -0.1"), {"top"});
+  FiniteElementBody by_both(block("bottom: displacement: 0.01, 0.02*x; right: traction: 0.3, -0.1"), {"top"});
+  FiniteElementBody by_force(block("bottom: displacement: 0, 0; right: traction: 0.3, -0.1"), {"top"});
   by_both.prepare();
   by_force.prepare();
   const LoadResponse both = by_both.respond_to_loads(0.), force = by_force.respond_to_loads(0.);
@@ -159,7 +159,7 @@ TEST(ElasticityBody, ARigidSideMovesAndCarriesItsForce)
         "left: normal displacement: 0; right: normal displacement: 0; bottom: normal displacement: 0; " +
         resultant);
     description.placement = Placement(1., false, 70., Vector2(-3., 8.));
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     body.prepare();
     ASSERT_TRUE(body.resultant().has_value());
     const Vector2 along = body.resultant()->direction;
@@ -176,7 +176,7 @@ TEST(ElasticityBody, ARigidSideMovesAndCarriesItsForce)
 
 TEST(ElasticityBody, CountsWhatItDoes)
 {
-  Body body(block("bottom: displacement: 0, 0"), {"top"});
+  FiniteElementBody body(block("bottom: displacement: 0, 0"), {"top"});
   EXPECT_EQ(body.counters().meshes, 1u);
   EXPECT_EQ(body.counters().factorisations, 0u);
   body.prepare();
@@ -189,13 +189,13 @@ TEST(ElasticityBody, CountsWhatItDoes)
 TEST(ElasticityBody, RefusesWhatDoesNotFit)
 {
   const auto refuse = [](const std::string &conditions, const std::string &part) {
-    expect_refused([&] { Body(block(conditions), {"top"}); }, part);
+    expect_refused([&] { FiniteElementBody(block(conditions), {"top"}); }, part);
   };
   refuse("bottom: displacement: 0, 0; roof: pressure: 1", "roof");
   refuse("(0.1, 0): displacement: 0, 0", "(0, 0)");
   refuse("left: displacement: 0, 0; bottom: normal displacement: 0.1", "contradict");
   refuse("top: resultant: 0, 0; bottom: displacement: 0, 0", "zero vector");
-  expect_refused([] { Body(block("bottom: displacement: 0, 0"), {"roof"}); }, "roof");
+  expect_refused([] { FiniteElementBody(block("bottom: displacement: 0, 0"), {"roof"}); }, "roof");
 }
 
 TEST(ElasticityBody, AMatrixThatCannotBeTrustedIsRefused)
@@ -218,11 +218,11 @@ TEST(ElasticityBody, NumbersOutOfRangeAreNoticed)
   BodyDescription stiff = block("bottom: displacement: 0, 0");
   stiff.young_modulus = 1e308;
   stiff.poisson_ratio = .49;
-  EXPECT_THROW(Body(stiff, {}).prepare(), ComputationError);
+  EXPECT_THROW(FiniteElementBody(stiff, {}).prepare(), ComputationError);
 
   BodyDescription soft = block("bottom: displacement: 0, 0; top: traction: 0, 1e300");
   soft.young_modulus = 1e-300;
-  Body body(soft, {});
+  FiniteElementBody body(soft, {});
   body.prepare();
   EXPECT_THROW(body.displacement(Eigen::VectorXd(), 0.), ComputationError);
 }

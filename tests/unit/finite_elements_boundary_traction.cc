@@ -12,15 +12,15 @@ using namespace abut;
 namespace
 {
   /// Turned and mirrored, refined towards the corner of right and top.
-  std::unique_ptr<Body> loaded_body(const Variant &variant, const std::string &conditions,
-                                    const std::vector<std::string> &contact_sides = {})
+  std::unique_ptr<FiniteElementBody> loaded_body(const Variant &variant, const std::string &conditions,
+                                                 const std::vector<std::string> &contact_sides = {})
   {
     auto description = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
     description.cell_type = variant.type;
     description.degree = variant.degree;
     description.placement = Placement(1.5, true, 25., Vector2(2., 1.));
     set_conditions(description, conditions);
-    auto body = std::make_unique<Body>(description, contact_sides);
+    auto body = std::make_unique<FiniteElementBody>(description, contact_sides);
     refine_towards(*body, {3., 2.}, 3);
     return body;
   }
@@ -29,8 +29,8 @@ namespace
       std::function<void(const KnownTraction &traction, const Vector2 &own_point, const Vector2 &normal)>;
 
   /// At some points of all edges of a side.
-  void visit_side(const Body &body, const std::string &side, const Eigen::VectorXd &contact_forces,
-                  const Visitor &visit)
+  void visit_side(const FiniteElementBody &body, const std::string &side,
+                  const Eigen::VectorXd &contact_forces, const Visitor &visit)
   {
     const BoundaryTraction boundary(body, contact_forces);
     const auto id = boundary_id(body.space().mesh(), side);
@@ -69,7 +69,8 @@ namespace
   }
 
   /// The consistent forces of pressures on the contact sides, each given by an expression.
-  Eigen::VectorXd forces_of_pressures(const Body &body, const std::vector<std::string> &pressures)
+  Eigen::VectorXd forces_of_pressures(const FiniteElementBody &body,
+                                      const std::vector<std::string> &pressures)
   {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());
     for (std::size_t k = 0; k < pressures.size(); ++k)
@@ -198,7 +199,7 @@ TEST(ElasticityBoundaryTraction, LinearContactPressuresAreFoundInside)
     description.cell_type = variant.type;
     description.degree = variant.degree;
     set_conditions(description, "bottom: displacement: 0, 0");
-    const Body body(description, {"top"});
+    const FiniteElementBody body(description, {"top"});
     const Eigen::VectorXd forces = forces_of_pressures(body, {"1 + 0.4*x"});
     visit_side(body, "top", forces, [](const KnownTraction &traction, const Vector2 &x, const Vector2 &) {
       if (x.x() > .25 && x.x() < 2.75)

@@ -20,7 +20,7 @@ namespace
   }
 
   /// Nodal forces on the top that sum to zero, with zero moment about any point.
-  Eigen::VectorXd balanced_forces(const Body &body)
+  Eigen::VectorXd balanced_forces(const FiniteElementBody &body)
   {
     const Trace &side = body.contact_sides()[0];
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());
@@ -38,11 +38,11 @@ namespace
 TEST(ElasticityFloating, BalancedForcesDeformAFreeBodyAsASupportedOne)
 {
   auto description = floating_plate();
-  Body floating(description, {"top"});
+  FiniteElementBody floating(description, {"top"});
   floating.prepare();
   EXPECT_EQ(floating.free_rigid_motions().size(), 3u);
   set_conditions(description, "(0, 0): displacement: 0, 0; (2, 0): displacement y: 0"); // reactions vanish
-  Body supported(description, {"top"});
+  FiniteElementBody supported(description, {"top"});
   supported.prepare();
   const Eigen::VectorXd forces = balanced_forces(floating);
   ASSERT_NEAR(forces.cwiseAbs().sum(), 4., 0.);
@@ -56,7 +56,7 @@ TEST(ElasticityFloating, MotionsAreRigidAndLoadsTheirResultants)
 {
   auto description = floating_plate();
   description.body_force = {Expression("3", {}, "test"), Expression("-5", {}, "test")};
-  Body body(description, {"top"});
+  FiniteElementBody body(description, {"top"});
   body.prepare();
   const BodyMotions motions = body.motions();
   ASSERT_EQ(motions.loads.size(), 3);
@@ -82,7 +82,7 @@ TEST(ElasticityFloating, ARigidSideWithAGivenForceIsAMotionWithStiffness)
   auto description = floating_plate();
   set_conditions(description,
                  "left: normal displacement: 0; bottom: normal displacement: 0; right: resultant: 7, 0");
-  Body body(description, {"top"});
+  FiniteElementBody body(description, {"top"});
   body.prepare();
   const BodyMotions motions = body.motions();
   ASSERT_EQ(motions.loads.size(), 1);

@@ -39,7 +39,7 @@ namespace
 
   /// int (lambda d d' + 2 mu eps : eps') with d, d' the projections: by the stress of the one and grad of the
   /// other.
-  double work(const Body &body, const Eigen::VectorXd &u, const Eigen::VectorXd &v)
+  double work(const FiniteElementBody &body, const Eigen::VectorXd &u, const Eigen::VectorXd &v)
   {
     std::vector<Stress> stresses;
     StressField(body, u).visit(body.space().quadrature(), [&](const Vector2 &, double, const Stress &stress) {
@@ -93,7 +93,7 @@ TEST(ElasticityProjection, KeepsPolynomialsOnDistortedCells)
   for (const double nu : ratios)
     for (const unsigned int degree : {1u, 2u, 3u})
     {
-      const Body body(trapezoids(degree, nu), {});
+      const FiniteElementBody body(trapezoids(degree, nu), {});
       const auto p = static_cast<double>(degree);
       const auto field = [&](const Vector2 &x) {
         return Vector2(std::pow(x.x() + .3 * x.y(), p), .5 * std::pow(x.y() - .2 * x.x(), p));
@@ -131,7 +131,7 @@ TEST(ElasticityProjection, StressDoesTheWorkOfTheStiffness)
           description.grading = {{1., 1.}};
           description.top.reset();
         }
-        const Body body(description, {});
+        const FiniteElementBody body(description, {});
         if (degree == 1 && body.projects_divergence())
           continue;
         const Eigen::SparseMatrix<double> stiffness = assemble_stiffness(body.space(), body.material());
@@ -153,7 +153,7 @@ TEST(ElasticityProjection, PatchTest)
     {
       BodyDescription description = trapezoids(degree, nu);
       set_conditions(description, displaced_sides({"left", "right", "bottom", "top"}, linear_formulas));
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       const Eigen::VectorXd u = untouched(body);
       const auto exact = [&](const Vector2 &x) { return linear_field(description.placement, x); };
       // The conditions of the system and of the constraint, lambda/mu, amplify round-off.

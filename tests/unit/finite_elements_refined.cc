@@ -14,7 +14,7 @@ namespace
     return body;
   }
 
-  void refine_several_levels(Body &body)
+  void refine_several_levels(FiniteElementBody &body)
   {
     refine_towards(body, {1.1, .9}, 3);
     refine_towards(body, {3., 2.}, 3);
@@ -31,7 +31,7 @@ TEST(ElasticityRefined, LinearDisplacementsAreExact)
   {
     const std::string conditions = displaced_sides({"left", "right", "bottom", "top"}, linear_formulas);
     const BodyDescription description = graded_plate(variant, conditions);
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     refine_several_levels(body);
     const Eigen::VectorXd u = untouched(body);
     const auto exact = [&](const Vector2 &x) { return linear_field(description.placement, x); };
@@ -53,7 +53,7 @@ TEST(ElasticityRefined, LinearDisplacementsBelowACurvedTop)
     description.shape = Shape::rectangle_curved_top;
     description.top = Expression("1 + 0.2*x - 0.05*x^2", {}, "test");
     description.size = {3., 1.};
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     refine_towards(body, {1.1, .7}, 3);
     ASSERT_TRUE(body.space().has_hanging_nodes());
     const Eigen::VectorXd u = untouched(body);
@@ -80,7 +80,7 @@ TEST(ElasticityRefined, UniaxialStrainByRollersTractionOrARigidSideIsExact)
           graded_plate(variant, "left: normal displacement: 0; right: normal displacement: 0; "
                                 "bottom: normal displacement: 0; top: " +
                                     top);
-      Body body(description, {});
+      FiniteElementBody body(description, {});
       refine_several_levels(body);
       body.prepare();
       // A rigid side goes along the outward normal.
@@ -112,7 +112,7 @@ TEST(ElasticityRefined, ReactionsBalanceBodyForcesTractionsAndContactForces)
     BodyDescription description = graded_plate(
         variant, "bottom: normal displacement: 0; left: normal displacement: 0; top: traction: 0.1*x, -x^2");
     description.body_force = {Expression("0.3*x", {}, "test"), Expression("-0.5", {}, "test")};
-    Body body(description, {"top", "right"});
+    FiniteElementBody body(description, {"top", "right"});
     refine_several_levels(body);
     body.prepare();
     const Eigen::VectorXd forces = Eigen::VectorXd::LinSpaced(body.trace_size(), -1., 2.).array().sin();
@@ -148,7 +148,7 @@ TEST(ElasticityRefined, ARigidMotionMakesNoStress)
     // A turn by 1e6 and a shift, far more than the body's size.
     const BodyDescription description = graded_plate(
         variant, "left: displacement: 3e6 - 1e6*y, 1e6*x; right: displacement: 3e6 - 1e6*y, 1e6*x");
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     refine_several_levels(body);
     body.prepare();
     const Eigen::VectorXd deformation = body.deformation(no_forces, 0.);
@@ -174,7 +174,7 @@ TEST(ElasticityRefined, ConditionsAtVerticesSurvive)
                                              "left: traction: -0.5, 0; right: traction: 0.5, 0");
     description.grading = {{1., 1.}};
     description.cells = {{2, 2}};
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     // Towards a place beside the middle, so that it is at the border between coarse and fine cells too.
     refine_towards(body, {1.9, 1.05}, 4);
     EXPECT_TRUE(body.free_rigid_motions().empty());
@@ -206,7 +206,7 @@ TEST(ElasticityRefined, ARingUnderPressureConvergesAndIsInBalance)
     description.poisson_ratio = .3;
     set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0; "
                                 "inner: pressure: 0.3");
-    Body body(description, {"outer"});
+    FiniteElementBody body(description, {"outer"});
     std::vector<double> errors;
     for (int mesh = 0; mesh < 3; ++mesh)
     {
@@ -242,7 +242,7 @@ TEST(ElasticityRefined, ADiscPressedBetweenItsSidesIsInBalance)
     description.placement = Placement(1., false, 30., Vector2(1., 2.));
     set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0; "
                                 "outer: pressure: 0.3*x");
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     refine_towards(body, {2., 0.}, 4);
     ASSERT_TRUE(body.space().has_hanging_nodes());
     const Reactions reactions = body.reactions(untouched(body), no_forces);

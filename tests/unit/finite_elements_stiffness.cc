@@ -74,7 +74,7 @@ TEST(ElasticityStiffness, ReproducesLinearDisplacementsOnDistortedCells)
   {
     BodyDescription description = distorted(variant);
     set_conditions(description, displaced_sides({"left", "right", "bottom", "top"}, linear_formulas));
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     const Eigen::VectorXd u = untouched(body);
     const auto exact = [&](const Vector2 &x) { return linear_field(description.placement, x); };
     EXPECT_LT(distance(body, u, exact), 1e-14) << variant.degree;
@@ -90,7 +90,7 @@ TEST(ElasticityStiffness, ReproducesLinearDisplacementsOnDiscs)
     auto description = make_body(Shape::disc, {2.}, {{4, 1}});
     description.degree = degree;
     set_conditions(description, "outer: displacement: 1e-2*(1 + 2*x - y), 1e-2*(3 + x + 4*y)");
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     const Eigen::VectorXd u = untouched(body);
     const auto exact = [](const Vector2 &x) {
       return Vector2(1e-2 * (1. + 2. * x.x() - x.y()), 1e-2 * (3. + x.x() + 4. * x.y()));
@@ -112,7 +112,7 @@ TEST(ElasticityStiffness, UniaxialStrainBetweenRollersIsExact)
     description.placement = Placement(1., false, 37., Vector2(1000., -5.));
     set_conditions(description, "left: normal displacement: 0; right: normal displacement: 0; "
                                 "bottom: normal displacement: 0; top: normal displacement: -1e-2");
-    Body body(description, {});
+    FiniteElementBody body(description, {});
     const Eigen::VectorXd u = untouched(body);
     const Vector2 up = description.placement.direction_to_world(Vector2::UnitY());
     const auto exact = [&](const Vector2 &x) {

@@ -158,7 +158,7 @@ TEST(ElasticitySupports, ARoundBodyOnItsArcCanTurn)
         description.degree = degree;
         description.placement = Placement(1., false, 0., Vector2(3., 4.));
         set_conditions(description, "outer: normal displacement: 0");
-        const Body body(description, {});
+        const FiniteElementBody body(description, {});
         EXPECT_EQ(body.free_rigid_motions().size(), 1u)
             << static_cast<int>(shape) << ", degree " << degree << ", cells " << cells;
         if (body.free_rigid_motions().size() == 1)
@@ -175,8 +175,8 @@ TEST(ElasticitySupports, PlacesFarFromTheOriginChangeNothing)
   {
     description.placement = Placement(1., false, 37., Vector2(shift, -shift));
     set_conditions(description, "bottom: normal displacement: 0");
-    EXPECT_EQ(Body(description, {}).free_rigid_motions().size(), 1u) << shift;
+    EXPECT_EQ(FiniteElementBody(description, {}).free_rigid_motions().size(), 1u) << shift;
     set_conditions(description, "bottom: normal displacement: 0; (0, 0): displacement x: 0");
-    EXPECT_TRUE(Body(description, {}).free_rigid_motions().empty()) << shift;
+    EXPECT_TRUE(FiniteElementBody(description, {}).free_rigid_motions().empty()) << shift;
   }
 }

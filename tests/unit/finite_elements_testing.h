@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 
 #include "mesh_testing.h"
 
@@ -45,7 +45,7 @@ namespace abut
   }
 
   /// Largest difference of a displacement from a given field over all nodes.
-  inline double distance(const Body &body, const Eigen::VectorXd &displacement,
+  inline double distance(const FiniteElementBody &body, const Eigen::VectorXd &displacement,
                          const std::function<Vector2(const Vector2 &)> &field)
   {
     const Nodes nodes = all_nodes(body.space());
@@ -70,7 +70,7 @@ namespace abut
                                      {CellType::triangles, 2}};
 
   /// Splits, again and again, the cells that are no further than their size from a point (own frame).
-  inline void refine_towards(Body &body, const Vector2 &own_point, const unsigned int passes)
+  inline void refine_towards(FiniteElementBody &body, const Vector2 &own_point, const unsigned int passes)
   {
     const Vector2 goal = body.description().placement.point_to_world(own_point);
     for (unsigned int pass = 0; pass < passes; ++pass)
@@ -88,7 +88,7 @@ namespace abut
   }
 
   /// The displacement of a body that nothing touches.
-  inline Eigen::VectorXd untouched(Body &body)
+  inline Eigen::VectorXd untouched(FiniteElementBody &body)
   {
     body.prepare();
     return body.displacement(Eigen::VectorXd::Zero(body.trace_size()), 0.);

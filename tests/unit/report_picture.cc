@@ -63,7 +63,7 @@ namespace
 
   TEST_F(ReportedScene, BodiesThatStandApartStayWhereTheyAre)
   {
-    for (const auto &dofs : all_nodes(bodies[0]->space()).dofs)
+    for (const auto &dofs : all_nodes(space_of(*bodies[0])).dofs)
       results.bodies[0].displacement[dofs[1]] = .125;
     EXPECT_FALSE(deformed_scene(results).moved_apart);
   }
@@ -74,7 +74,7 @@ namespace
     results.pairs[0].max_pressure = 0.;
     for (const double amplitude : {1e-6, 3e-4, .7})
     {
-      const Nodes nodes = all_nodes(bodies[1]->space());
+      const Nodes nodes = all_nodes(space_of(*bodies[1]));
       for (std::size_t i = 0; i < nodes.dofs.size(); ++i) // stretched to both sides
         results.bodies[1].displacement[nodes.dofs[i][0]] = amplitude * (nodes.places[i].x() - .5);
       const double shown = deformed_scene(results).factor * .5 * amplitude / std::sqrt(5.);
@@ -85,7 +85,7 @@ namespace
 
   TEST_F(ReportedScene, MeanStressOfACellIsThatOfUniformStrain)
   {
-    const Nodes nodes = all_nodes(bodies[1]->space());
+    const Nodes nodes = all_nodes(space_of(*bodies[1]));
     for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
       results.bodies[1].deformation[nodes.dofs[i][0]] = 1e-3 * nodes.places[i].x();
     Eigen::Matrix2d gradient;

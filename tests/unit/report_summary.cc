@@ -82,7 +82,7 @@ namespace
   {
     // u = (a x + c y, c x + b y), moved by (3, 4) in all.
     const double a = -2e-3, b = 1e-3, c = 2e-3;
-    const Body &body = *bodies[1];
+    const FiniteElementBody &body = as_finite_elements(*bodies[1], "a test");
     const Nodes nodes = all_nodes(body.space());
     Eigen::VectorXd deformation(body.space().n_dofs()), displacement(body.space().n_dofs());
     for (std::size_t i = 0; i < nodes.dofs.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../space_of.h"
 #include "scene_file.h"
 #include <fstream>
 #include <memory>
@@ -19,8 +20,8 @@ protected:
   {
     scene = file.read({"Body upper/Cells=1, 1", "Body lower/Cells=1, 1"});
     for (const auto &[index, side] : {std::pair(0, "bottom"), {1, "top"}})
-      bodies.push_back(std::make_unique<abut::Body>(scene.bodies[static_cast<std::size_t>(index)],
-                                                    std::vector<std::string>{side}));
+      bodies.push_back(std::make_unique<abut::FiniteElementBody>(
+          scene.bodies[static_cast<std::size_t>(index)], std::vector<std::string>{side}));
     const auto side = [&](const std::size_t body) {
       return abut::ContactBody(body, 0, bodies[body]->contact_sides()[0], bodies[body]->material(), 1.);
     };
@@ -32,11 +33,11 @@ protected:
       body->prepare();
       abut::BodyResult result;
       result.body = body.get();
-      result.displacement = Eigen::VectorXd::Zero(body->space().n_dofs());
+      result.displacement = Eigen::VectorXd::Zero(space_of(*body).n_dofs());
       result.deformation = result.displacement;
       results.bodies.push_back(result);
     }
-    for (const auto &dofs : abut::all_nodes(bodies[0]->space()).dofs)
+    for (const auto &dofs : abut::all_nodes(space_of(*bodies[0])).dofs)
       results.bodies[0].displacement[dofs[1]] = -.125;
     results.bodies[1].energy = 2.5;
     results.bodies[1].reactions.by_boundary["bottom"] = abut::Vector2(0., 3.);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../space_of.h"
 #include <iostream>
 
 using namespace abut;
@@ -26,7 +27,7 @@ namespace
     std::vector<CellMarks> result;
     for (const auto &body : model.bodies())
     {
-      result.push_back(no_marks(body->space().mesh().triangulation));
+      result.push_back(no_marks(body->counts().cells));
       (refine ? result.back().refine : result.back().coarsen).assign(result.back().refine.size(), true);
     }
     return result;
@@ -38,8 +39,8 @@ namespace
     std::srand(5);
     CarriedState state;
     for (const auto &body : model.bodies())
-      state.displacements.push_back(body->space().hanging_node_expansion() *
-                                    Eigen::VectorXd::Random(body->space().n_dofs()));
+      state.displacements.push_back(space_of(*body).hanging_node_expansion() *
+                                    Eigen::VectorXd::Random(space_of(*body).n_dofs()));
     state.pressures = Eigen::VectorXd::Random(model.problem().n_pressures()).cwiseAbs();
     return state;
   }
@@ -104,7 +105,7 @@ namespace
     Model model(scene, nullptr);
     std::vector<CellMarks> only_lower = marks(model, true);
     only_lower[scene.body_index("upper")] =
-        no_marks(model.bodies()[scene.body_index("upper")]->space().mesh().triangulation);
+        no_marks(model.bodies()[scene.body_index("upper")]->counts().cells);
     model.adapt(only_lower, random_state(model));
     EXPECT_EQ(model.bodies()[scene.body_index("upper")]->counters().meshes, 1u);
     EXPECT_EQ(model.bodies()[scene.body_index("lower")]->counters().meshes, 2u);
@@ -140,7 +141,7 @@ namespace
       for (unsigned int pass = 0; pass < 4; ++pass)
         model.adapt(scattered_marks(model, pass), random_state(model));
       for (const auto &body : model.bodies())
-        EXPECT_TRUE(body->space().has_hanging_nodes());
+        EXPECT_TRUE(space_of(*body).has_hanging_nodes());
       Times times;
       model.prepare(times);
       const SchemeResult result =

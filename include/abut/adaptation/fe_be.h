@@ -22,7 +22,7 @@ namespace abut
 
     /// Throws ComputationError where the boundary elements cannot solve.
     CellErrors estimate(const BodySolution &solution) const override;
-    void check(const Body &body) const override { check_boundary_elements(body); }
+    void check(const Body &body) const override;
 
   private:
     struct Kept

@@ -18,7 +18,7 @@ namespace abut
     Eigen::VectorXd areas;
     double stress_norm = 0.; ///< L2 norm of the better stress (or of sigma_F) over the body
     double energy_norm = 0.; ///< and its energy norm
-    /// The better stress at the points of `comparison_rule`, cell by cell; empty for kelly, which has none.
+    /// The better stress at SamplePoints::comparison; empty for kelly, which has none.
     std::vector<Stress> better;
     BoundaryCost boundary; ///< of fe-be
   };
@@ -36,9 +36,6 @@ namespace abut
   /// The indicator that a scene asks for; none for `EstimatorKind::none`.
   std::unique_ptr<Indicator>
   make_indicator(EstimatorKind kind, BoundarySolution boundary_solution = BoundarySolution::trace_space);
-
-  /// The points where a better stress is compared with sigma_F: p + 1 Gauss points in each direction.
-  dealii::Quadrature<2> comparison_rule(const Space &space);
 
   /**
    * eta of each cell, relative to the mean stress of the body: with `rms`

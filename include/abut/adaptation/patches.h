@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/adaptation/better_stress.h>
+#include <abut/bodies/finite_elements/space.h>
 
 #include <map>
 #include <vector>

@@ -5,16 +5,17 @@
 
 namespace abut
 {
-  /// A quadrature point of a body in the body's own frame, with the stress of the finite elements there.
+  /// A point of a body in the body's own frame, with the body's stress there.
   struct StressSample
   {
+    unsigned int cell;
     Vector2 own_point;
     double weight; ///< area
     Stress computed;
   };
 
   /// Cell by cell.
-  std::vector<StressSample> stress_samples(const BodyResult &result, const dealii::Quadrature<2> &rule);
+  std::vector<StressSample> stress_samples(const BodyResult &result, SamplePoints points);
 
   /// A stress of the plane in the own frame of a body.
   Stress in_own_frame(const Stress &stress, const Placement &placement);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/grid/tria.h>
-
+#include <cstddef>
 #include <vector>
+
+namespace dealii
+{
+  template <int, int> class Triangulation;
+}
 
 namespace abut
 {
@@ -18,7 +22,8 @@ namespace abut
   };
 
   /// No cell marked.
-  CellMarks no_marks(const dealii::Triangulation<2> &triangulation);
+  CellMarks no_marks(std::size_t n_cells);
+  CellMarks no_marks(const dealii::Triangulation<2, 2> &triangulation);
 
   /**
    * Sets the triangulation's flags from the marks; where it is refined, deal.II splits more cells so that
@@ -26,5 +31,5 @@ namespace abut
    * any further: their coordinates run out of digits. Triangles are never merged, which deal.II 9.4 cannot
    * do.
    */
-  void set_flags(dealii::Triangulation<2> &triangulation, const CellMarks &marks);
+  void set_flags(dealii::Triangulation<2, 2> &triangulation, const CellMarks &marks);
 } // namespace abut

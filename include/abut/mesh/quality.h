@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/grid/tria.h>
+namespace dealii
+{
+  template <int, int> class Triangulation;
+}
 
 namespace abut
 {
@@ -18,5 +21,5 @@ namespace abut
   };
 
   /// Over the active cells.
-  MeshQuality mesh_quality(const dealii::Triangulation<2> &triangulation);
+  MeshQuality mesh_quality(const dealii::Triangulation<2, 2> &triangulation);
 } // namespace abut

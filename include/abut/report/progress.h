@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/counts.h>
 #include <abut/decomposition/scheme.h>
-#include <abut/results/counts.h>
 
 #include <chrono>
 #include <iosfwd>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/body.h>
 
 namespace abut
 {
@@ -22,9 +22,6 @@ namespace abut
     /// The same farther from singular vertices than a hundredth of the body's diagonal.
     Peak regular_von_mises, regular_strain;
   };
-
-  /// The points of a reference cell at which the VTU file has values: p subdivisions of every edge.
-  dealii::Quadrature<2> output_points(const Space &space);
 
   /// `deformation`: the displacement less a rigid motion (see BodyResult).
   BodyPeaks find_peaks(const Body &body, const Eigen::VectorXd &displacement,

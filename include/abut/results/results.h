@@ -2,11 +2,11 @@
 #pragma once
 
 #include <abut/adaptation/indicator.h>
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/base/counts.h>
+#include <abut/bodies/body.h>
 #include <abut/contact/contact_surface.h>
 #include <abut/decomposition/scheme.h>
 #include <abut/mesh/quality.h>
-#include <abut/results/counts.h>
 #include <abut/results/estimator_quality.h>
 #include <abut/results/peaks.h>
 #include <abut/results/warning.h>

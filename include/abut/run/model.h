@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/counts.h>
 #include <abut/comparison/exact_solution.h>
 #include <abut/decomposition/interface_problem.h>
-#include <abut/results/counts.h>
 
 #include <memory>
 

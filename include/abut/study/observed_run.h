@@ -37,8 +37,4 @@ namespace abut
   /// Runs a scene and keeps what figures show. `monitored`: a point of the body of interest. Throws UserError
   /// (also where the point lies outside) and ComputationError.
   ObservedRun observe_run(const Scene &scene, const std::string &name, const Vector2 &monitored);
-
-  /// The displacement of a body at a point of its undeformed shape (world frame). Throws UserError for a
-  /// point outside.
-  Vector2 displacement_at(const BodyResult &result, const Vector2 &point);
 } // namespace abut

@@ -23,7 +23,7 @@ namespace abut
     }
 
     /// Scaled as boundary elements see it: force times length by the shear modulus.
-    Vector2 scaled_body_force(const Body &body, const BoundarySpace &space)
+    Vector2 scaled_body_force(const FiniteElementBody &body, const BoundarySpace &space)
     {
       return body_force(body.description(), Vector2::Zero()) * space.unit_length() / body.material().mu();
     }
@@ -43,8 +43,8 @@ namespace abut
     return {xx, yy, 0., nu_ * (xx + yy)};
   }
 
-  BoundaryData::BoundaryData(const Body &body, const GradedSides &sides, const BoundarySpace &space,
-                             const unsigned int load_degree)
+  BoundaryData::BoundaryData(const FiniteElementBody &body, const GradedSides &sides,
+                             const BoundarySpace &space, const unsigned int load_degree)
       : body_(body), sides_(sides), space_(space), load_degree_(load_degree),
         prescribed_(Eigen::VectorXd::Zero(2 * space.n_coefficients())),
         uniform_(scaled_body_force(body, space), body.material().poisson_ratio)
@@ -205,7 +205,7 @@ namespace abut
            uniform_support_;
   }
 
-  void check_boundary_elements(const Body &body)
+  void check_boundary_elements(const FiniteElementBody &body)
   {
     const std::string begin = "Body " + body.name() + ": ";
     const std::string end = "; Adaptation/Estimator = fe-be is for ";

@@ -71,7 +71,8 @@ namespace abut
     }
   } // namespace
 
-  BoundaryModel::BoundaryModel(const Body &body, const BoundarySolution kind) : body_(body), kind_(kind)
+  BoundaryModel::BoundaryModel(const FiniteElementBody &body, const BoundarySolution kind)
+      : body_(body), kind_(kind)
   {
     const unsigned int p = body.space().degree();
     const unsigned int displacement_degree = kind == BoundarySolution::reference_quality ? p + 1 : p;
@@ -133,7 +134,7 @@ namespace abut
   {
     BoundaryState state = data_->known(solution);
     state.traction +=
-        data_->support_traction(solution.body.support_forces(solution.deformation, solution.contact_forces));
+        data_->support_traction(body_.support_forces(solution.deformation, solution.contact_forces));
     return state;
   }
 

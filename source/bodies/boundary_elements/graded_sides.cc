@@ -104,7 +104,7 @@ namespace abut
     }
   };
 
-  GradedSides::GradedSides(const Body &body, const unsigned int n_splits)
+  GradedSides::GradedSides(const FiniteElementBody &body, const unsigned int n_splits)
       : boundaries_(body.space().mesh().triangulation.get_boundary_ids()),
         n_dofs_(static_cast<unsigned int>(body.space().n_dofs()))
   {
@@ -229,7 +229,7 @@ namespace abut
     return result;
   }
 
-  std::vector<Vector2> singular_vertices(const Body &body)
+  std::vector<Vector2> singular_vertices(const FiniteElementBody &body)
   {
     const GradedSides graded(body, 0);
     std::vector<Vector2> places;

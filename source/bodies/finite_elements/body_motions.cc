@@ -2,11 +2,11 @@
 //
 // The motions of a body that no support prescribes.
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 
 namespace abut
 {
-  BodyMotions Body::motions() const
+  BodyMotions FiniteElementBody::motions() const
   {
     const Eigen::Index n_free = floating_.size(), n = n_free + (resultant_ ? 1 : 0);
     BodyMotions result{Eigen::MatrixXd(trace_size(), n), Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd(n),
@@ -29,14 +29,14 @@ namespace abut
     return result;
   }
 
-  Eigen::VectorXd Body::free_motion(const Eigen::VectorXd &amplitudes) const
+  Eigen::VectorXd FiniteElementBody::free_motion(const Eigen::VectorXd &amplitudes) const
   {
     if (floating_.size() == 0)
       return Eigen::VectorXd::Zero(space_->n_dofs());
     return supports_.free_directions * (floating_.reduced() * amplitudes.head(floating_.size()));
   }
 
-  double Body::rigid_side_displacement(const Eigen::VectorXd &amplitudes) const
+  double FiniteElementBody::rigid_side_displacement(const Eigen::VectorXd &amplitudes) const
   {
     return resultant_ ? amplitudes[floating_.size()] : 0.;
   }

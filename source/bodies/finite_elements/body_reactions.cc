@@ -2,7 +2,7 @@
 //
 // The forces on a body and their balance.
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 
 #include <Eigen/LU>
 
@@ -59,7 +59,8 @@ namespace abut
     }
   } // namespace
 
-  Reactions Body::reactions(const Eigen::VectorXd &deformation, const Eigen::VectorXd &contact_forces) const
+  Reactions FiniteElementBody::reactions(const Eigen::VectorXd &deformation,
+                                         const Eigen::VectorXd &contact_forces) const
   {
     const Eigen::VectorXd support = support_forces(deformation, contact_forces);
     const Nodes nodes = all_nodes(*space_);

@@ -31,7 +31,7 @@ namespace abut
     }
   } // namespace
 
-  BoundaryTraction::BoundaryTraction(const Body &body, const Eigen::VectorXd &contact_forces)
+  BoundaryTraction::BoundaryTraction(const FiniteElementBody &body, const Eigen::VectorXd &contact_forces)
       : conditions_(body)
   {
     for (std::size_t k = 0; k < body.contact_sides().size(); ++k)

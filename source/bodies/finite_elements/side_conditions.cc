@@ -7,7 +7,7 @@
 
 namespace abut
 {
-  SideConditions::SideConditions(const Body &body) : body_(body)
+  SideConditions::SideConditions(const FiniteElementBody &body) : body_(body)
   {
     for (const Condition &condition : body.description().conditions)
       if (!condition.point)

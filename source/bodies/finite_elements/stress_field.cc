@@ -9,7 +9,7 @@ namespace abut
     using Dofs = std::vector<dealii::types::global_dof_index>;
   }
 
-  StressField::StressField(const Body &body, const Eigen::VectorXd &deformation)
+  StressField::StressField(const FiniteElementBody &body, const Eigen::VectorXd &deformation)
       : space_(body.space()), material_(body.material()), deformation_(deformation)
   {
     if (body.projects_divergence())
@@ -69,7 +69,7 @@ namespace abut
     return gradient;
   }
 
-  void StressField::visit(const dealii::Quadrature<2> &quadrature, const StressVisitor &visitor) const
+  void StressField::visit(const dealii::Quadrature<2> &quadrature, const PointStressVisitor &visitor) const
   {
     dealii::FEValues<2> values(space_.mapping(), space_.dof_handler().get_fe(), quadrature,
                                dealii::update_gradients | dealii::update_JxW_values |

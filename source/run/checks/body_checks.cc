@@ -2,7 +2,6 @@
 //
 // What a body's solution says of itself.
 
-#include <abut/bodies/boundary_elements/graded_sides.h>
 #include <abut/run/checks/validity.h>
 
 #include <algorithm>
@@ -34,12 +33,10 @@ namespace abut
     bool has_vertex_at(const Body &body, const unsigned int cell_index, const Vector2 &place)
     {
       constexpr double same = 1e-6; // of the cell
-      for (const auto &cell : body.space().mesh().triangulation.active_cell_iterators())
-        if (cell->active_cell_index() == cell_index)
-          for (const unsigned int i : cell->vertex_indices())
-            if ((Vector2(cell->vertex(i)[0], cell->vertex(i)[1]) - place).norm() <= same * cell->diameter())
-              return true;
-      return false;
+      const CellInfo cell = body.cells()[cell_index];
+      return std::any_of(cell.vertices.begin(), cell.vertices.end(), [&](const Vector2 &vertex) {
+        return (vertex - place).norm() <= same * cell.diameter;
+      });
     }
 
     /// By how much the stress has to be larger than farther away: vertices count as singular where a stress
@@ -52,7 +49,7 @@ namespace abut
       const Peak &stress = result.peaks.von_mises;
       if (!(stress.value > beside_regular * result.peaks.regular_von_mises.value))
         return {};
-      for (const Vector2 &vertex : singular_vertices(*result.body))
+      for (const Vector2 &vertex : result.body->singular_vertices())
         if (has_vertex_at(*result.body, stress.cell, vertex))
         {
           std::ostringstream text;

@@ -2,8 +2,6 @@
 //
 // What is known before anything is solved.
 
-#include <abut/base/directions.h>
-#include <abut/bodies/finite_elements/side_conditions.h>
 #include <abut/run/checks/validity.h>
 
 #include <algorithm>
@@ -48,33 +46,10 @@ namespace abut
       return {{WarningCode::large_overlap, text.str()}};
     }
 
-    /// The largest part of the loads on a side that its supports take at once, and the largest load.
-    struct LostLoad
-    {
-      double lost = 0., largest = 0.;
-    };
-
-    LostLoad lost_load(const Body &body, const SideConditions &conditions, const std::string &side)
-    {
-      const auto boundary = boundary_id(body.space().mesh(), side);
-      const Trace trace = body.space().trace(boundary);
-      LostLoad load;
-      for (const Segment &segment : trace.segments())
-      {
-        const Vector2 normal = Trace::averaged_normal(segment, .5), place = trace.point(segment, .5);
-        const Vector2 traction = conditions.traction(boundary, place, normal);
-        const Vector2 free = free_part(conditions.supported(boundary, normal), traction);
-        load.lost = std::max(load.lost, (traction - free).norm());
-        load.largest = std::max(load.largest, traction.norm());
-      }
-      return load;
-    }
-
     /// A load along a direction in which the same side's displacement is prescribed does nothing.
     Warnings load_on_support_warnings(const Body &body)
     {
       constexpr double noticeable = 1e-3; // of the load: what chords of a curve turn it by
-      const SideConditions conditions(body);
       Warnings warnings;
       std::set<std::string> sides;
       for (const Condition &condition : body.description().conditions)
@@ -82,7 +57,7 @@ namespace abut
           sides.insert(condition.boundary);
       for (const std::string &side : sides)
       {
-        const LostLoad load = lost_load(body, conditions, side);
+        const LostLoad load = body.lost_load(side);
         if (!(load.lost > noticeable * load.largest))
           continue;
         std::ostringstream text;

@@ -37,7 +37,7 @@ namespace abut
   {
   public:
     /// `load_degree`: of the known tractions. Body, sides and space must outlive the object.
-    BoundaryData(const Body &body, const GradedSides &sides, const BoundarySpace &space,
+    BoundaryData(const FiniteElementBody &body, const GradedSides &sides, const BoundarySpace &space,
                  unsigned int load_degree);
 
     /// Unit directions, none, one or two, for every element.
@@ -58,7 +58,7 @@ namespace abut
     void add_moments(std::size_t element, const Eigen::MatrixX2d &moments, Eigen::VectorXd &traction) const;
     void take_off_uniform_force();
 
-    const Body &body_;
+    const FiniteElementBody &body_;
     const GradedSides &sides_;
     const BoundarySpace &space_;
     unsigned int load_degree_;
@@ -76,5 +76,5 @@ namespace abut
    * compute: sides that are curved where finite elements of this degree follow them, a body force that is not
    * uniform.
    */
-  void check_boundary_elements(const Body &body);
+  void check_boundary_elements(const FiniteElementBody &body);
 } // namespace abut

@@ -19,7 +19,7 @@ namespace abut
   {
   public:
     /// The body must outlive the model, which is that of its present mesh. Throws ComputationError.
-    BoundaryModel(const Body &body, BoundarySolution kind);
+    BoundaryModel(const FiniteElementBody &body, BoundarySolution kind);
 
     /// sigma_B at points inside the body (world frame), which answers the contact traction of `solution`.
     /// Adds to the cost. Throws ComputationError.
@@ -41,7 +41,7 @@ namespace abut
     /// The known traction and, at supports, the one with the finite elements' reactions.
     BoundaryState finite_element_state(const BodySolution &solution) const;
 
-    const Body &body_;
+    const FiniteElementBody &body_;
     BoundarySolution kind_;
     std::unique_ptr<GradedSides> sides_;
     std::unique_ptr<BoundarySpace> space_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
 
 namespace abut
@@ -25,7 +25,7 @@ namespace abut
     };
 
     /// All sides of the body; with `n_splits` = 0 nothing is split.
-    GradedSides(const Body &body, unsigned int n_splits);
+    GradedSides(const FiniteElementBody &body, unsigned int n_splits);
 
     /// New nodes have unknowns beyond those of the body: a field has to be `extended`.
     const std::vector<Trace> &sides() const { return sides_; }
@@ -65,5 +65,5 @@ namespace abut
   };
 
   /// The places of those vertices of a body that GradedSides calls singular.
-  std::vector<Vector2> singular_vertices(const Body &body);
+  std::vector<Vector2> singular_vertices(const FiniteElementBody &body);
 } // namespace abut

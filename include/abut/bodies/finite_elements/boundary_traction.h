@@ -27,7 +27,7 @@ namespace abut
   {
   public:
     /// `contact_forces`: a trace vector. The body must outlive the object.
-    BoundaryTraction(const Body &body, const Eigen::VectorXd &contact_forces);
+    BoundaryTraction(const FiniteElementBody &body, const Eigen::VectorXd &contact_forces);
 
     /// At a quadrature point of a boundary face; `values` have to show points, normals and shape values.
     KnownTraction at(const dealii::FEFaceValues<2> &values, unsigned int point,

@@ -3,6 +3,7 @@
 
 #include <abut/bodies/finite_elements/space.h>
 #include <abut/bodies/finite_elements/supports.h>
+#include <abut/bodies/reactions.h>
 
 #include <map>
 #include <optional>
@@ -11,14 +12,6 @@ namespace abut
 {
   /// The sides of a body that conditions or contacts name.
   using Sides = std::map<std::string, Trace>;
-
-  /// A rigid side that carries a given force: the displacement delta along `direction` is to be found.
-  struct Resultant
-  {
-    std::string boundary;
-    Vector2 direction; ///< unit, world frame
-    double force;      ///< the component of the support's force on the body along `direction`
-  };
 
   /// Translates the displacement conditions of a body into components at its nodes. Throws UserError.
   std::vector<PrescribedComponent> prescribed_components(const BodyDescription &body, const Sides &sides,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 
 #include <map>
 #include <vector>
@@ -13,7 +13,7 @@ namespace abut
   {
   public:
     /// The body must outlive the object.
-    explicit SideConditions(const Body &body);
+    explicit SideConditions(const FiniteElementBody &body);
 
     /// Independent unit directions along which supports prescribe the displacement where the outward unit
     /// normal is n: none, one, or the two axes.
@@ -25,7 +25,7 @@ namespace abut
   private:
     const std::vector<const Condition *> &conditions(dealii::types::boundary_id boundary) const;
 
-    const Body &body_;
+    const FiniteElementBody &body_;
     std::map<dealii::types::boundary_id, std::vector<const Condition *>> conditions_;
   };
 } // namespace abut

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 
 namespace abut
 {
   /// Receives a quadrature point, its weight (area) and the stress there.
-  using StressVisitor = std::function<void(const Vector2 &point, double weight, const Stress &stress)>;
+  using PointStressVisitor = std::function<void(const Vector2 &point, double weight, const Stress &stress)>;
 
   /**
    * sigma_F, the stress of a body's finite elements: sigma = lambda d I + 2 mu eps(u) in the plane, where d
@@ -20,7 +20,7 @@ namespace abut
   {
   public:
     /// `deformation`: all unknowns, less the rigid motion. It and the body must outlive the object.
-    StressField(const Body &body, const Eigen::VectorXd &deformation);
+    StressField(const FiniteElementBody &body, const Eigen::VectorXd &deformation);
 
     /// At a point of a cell where grad u is known.
     Stress at(const Cell &cell, const Vector2 &point, const Eigen::Matrix2d &gradient) const;
@@ -33,7 +33,7 @@ namespace abut
                                 const std::vector<dealii::types::global_dof_index> &dofs) const;
 
     /// The quadrature points of all cells, in their order.
-    void visit(const dealii::Quadrature<2> &quadrature, const StressVisitor &visitor) const;
+    void visit(const dealii::Quadrature<2> &quadrature, const PointStressVisitor &visitor) const;
 
   private:
     bool projects() const { return divergence_.size() > 0; }

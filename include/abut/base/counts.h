@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/space.h>
-
 #include <cstddef>
 
 namespace abut
@@ -15,6 +13,8 @@ namespace abut
     std::size_t boundary_dofs = 0; ///< those of nodes on the boundary
   };
 
-  Counts count(const Space &space);
-  Counts operator+(const Counts &a, const Counts &b);
+  inline Counts operator+(const Counts &a, const Counts &b)
+  {
+    return {a.cells + b.cells, a.dofs + b.dofs, a.boundary_dofs + b.boundary_dofs};
+  }
 } // namespace abut

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/assembly.h>
-#include <abut/bodies/finite_elements/body.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/locking.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 
@@ -59,34 +59,34 @@ namespace abut
     }
   } // namespace
 
-  Body::Body(const BodyDescription &description, const std::vector<std::string> &contact_sides)
-      : description_(description),
-        space_(std::make_unique<Space>(make_mesh(description), description.degree)),
+  FiniteElementBody::FiniteElementBody(const BodyDescription &description,
+                                       const std::vector<std::string> &contact_sides)
+      : Body(description), space_(std::make_unique<Space>(make_mesh(description), description.degree)),
         contact_side_names_(contact_sides)
   {
     set_up();
-    refuse_locking(description_, *space_, supports_);
+    refuse_locking(description, *space_, supports_);
   }
 
-  Body::~Body() = default;
+  FiniteElementBody::~FiniteElementBody() = default;
 
-  bool Body::projects_divergence() const
+  bool FiniteElementBody::projects_divergence() const
   {
-    return abut::projects_divergence(space_->mesh().cell_type, description_.poisson_ratio);
+    return abut::projects_divergence(space_->mesh().cell_type, description().poisson_ratio);
   }
 
-  void Body::set_up()
+  void FiniteElementBody::set_up()
   {
     counters_.meshes = space_->n_meshes();
     collect_sides();
-    resultant_ = find_resultant(description_, sides_);
+    resultant_ = find_resultant(description(), sides_);
     set_up_supports();
     trace_to_dofs_ = trace_embedding(*this, space_->n_dofs());
     trace_to_free_ = supports_.free_directions.transpose() * trace_to_dofs_;
     collect_loads();
   }
 
-  void Body::collect_sides()
+  void FiniteElementBody::collect_sides()
   {
     sides_.clear();
     contact_sides_.clear();
@@ -94,16 +94,16 @@ namespace abut
       const auto id = boundary_id(space_->mesh(), boundary);
       return sides_.try_emplace(boundary, space_->trace(id)).first->second;
     };
-    for (const Condition &condition : description_.conditions)
+    for (const Condition &condition : description().conditions)
       if (!condition.point)
         side(condition.boundary);
     for (const std::string &boundary : contact_side_names_)
       contact_sides_.push_back(side(boundary));
   }
 
-  void Body::set_up_supports()
+  void FiniteElementBody::set_up_supports()
   {
-    const std::vector<PrescribedComponent> components = prescribed_components(description_, sides_, *space_);
+    const std::vector<PrescribedComponent> components = prescribed_components(description(), sides_, *space_);
     const Nodes nodes = free_nodes(*space_);
     const Vector2 centre = centre_of(nodes);
     const auto free_modes = free_rigid_modes(components, centre, extent_of(nodes, centre));
@@ -126,7 +126,7 @@ namespace abut
   }
 
   /// Tells the contact sides where the scene's supports hold them: not along the motion of a rigid side.
-  void Body::tell_supports()
+  void FiniteElementBody::tell_supports()
   {
     std::map<unsigned int, Eigen::Matrix2d> held; // by the first unknown of a node
     for (const SupportNode &node : supports_.nodes)
@@ -152,16 +152,17 @@ namespace abut
     }
   }
 
-  void Body::collect_loads()
+  void FiniteElementBody::collect_loads()
   {
     load_ = Eigen::VectorXd::Zero(space_->n_dofs());
-    add_body_force(*space_, description_, load_);
-    for (const Condition &condition : description_.conditions)
+    add_body_force(*space_, description(), load_);
+    for (const Condition &condition : description().conditions)
       if (condition.kind == ConditionKind::traction || condition.kind == ConditionKind::pressure)
-        add_traction(sides_.at(condition.boundary), condition, description_.placement, load_);
+        add_traction(sides_.at(condition.boundary), condition, description().placement, load_);
   }
 
-  std::vector<Eigen::VectorXd> Body::adapt(const CellMarks &marks, const std::vector<Eigen::VectorXd> &fields)
+  std::vector<Eigen::VectorXd> FiniteElementBody::adapt(const CellMarks &marks,
+                                                        const std::vector<Eigen::VectorXd> &fields)
   {
     std::vector<Eigen::VectorXd> carried = space_->adapt(marks, fields);
     if (space_->n_meshes() == counters_.meshes)
@@ -171,17 +172,17 @@ namespace abut
     return carried;
   }
 
-  dealii::types::boundary_id Body::contact_boundary(const std::size_t side) const
+  dealii::types::boundary_id FiniteElementBody::contact_boundary(const std::size_t side) const
   {
     return boundary_id(space_->mesh(), contact_side_names_[side]);
   }
 
-  double Body::contact_depth(const std::size_t side) const
+  double FiniteElementBody::contact_depth(const std::size_t side) const
   {
-    return abut::contact_depth(description_, space_->mesh(), contact_boundary(side));
+    return abut::contact_depth(description(), space_->mesh(), contact_boundary(side));
   }
 
-  Body::PreparationTimes Body::prepare()
+  PreparationTimes FiniteElementBody::prepare()
   {
     PreparationTimes times;
     auto start = Clock::now();
@@ -200,7 +201,7 @@ namespace abut
     return times;
   }
 
-  Eigen::MatrixXd Body::solve(const Eigen::MatrixXd &reduced_loads) const
+  Eigen::MatrixXd FiniteElementBody::solve(const Eigen::MatrixXd &reduced_loads) const
   {
     counters_.solves += static_cast<unsigned int>(reduced_loads.cols());
     const bool floats = floating_.size() > 0;
@@ -214,12 +215,12 @@ namespace abut
     return solution;
   }
 
-  Eigen::MatrixXd Body::respond(const Eigen::MatrixXd &forces) const
+  Eigen::MatrixXd FiniteElementBody::respond(const Eigen::MatrixXd &forces) const
   {
     return trace_to_free_.transpose() * solve(trace_to_free_ * forces);
   }
 
-  LoadResponse Body::respond_to_loads(const double rigid_displacement) const
+  LoadResponse FiniteElementBody::respond_to_loads(const double rigid_displacement) const
   {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(trace_size());
     const Eigen::VectorXd deformed = deformation(zero, rigid_displacement);
@@ -234,8 +235,8 @@ namespace abut
     return response;
   }
 
-  Eigen::VectorXd Body::deformation(const Eigen::VectorXd &contact_forces,
-                                    const double rigid_displacement) const
+  Eigen::VectorXd FiniteElementBody::deformation(const Eigen::VectorXd &contact_forces,
+                                                 const double rigid_displacement) const
   {
     const auto &t = supports_.free_directions;
     const Eigen::VectorXd prescribed = supports_.fixed + rigid_displacement * supports_.moving;
@@ -243,13 +244,13 @@ namespace abut
            prescribed;
   }
 
-  Eigen::VectorXd Body::rigid_motion(const double rigid_displacement) const
+  Eigen::VectorXd FiniteElementBody::rigid_motion(const double rigid_displacement) const
   {
     return rigid_motions_.fixed + rigid_displacement * rigid_motions_.moving;
   }
 
-  Eigen::VectorXd Body::support_forces(const Eigen::VectorXd &deformation,
-                                       const Eigen::VectorXd &contact_forces) const
+  Eigen::VectorXd FiniteElementBody::support_forces(const Eigen::VectorXd &deformation,
+                                                    const Eigen::VectorXd &contact_forces) const
   {
     const Eigen::VectorXd forces = stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
     if (!space_->has_hanging_nodes())
@@ -257,13 +258,13 @@ namespace abut
     return space_->hanging_node_expansion().transpose() * forces;
   }
 
-  double Body::rigid_side_force(const Eigen::VectorXd &deformation,
-                                const Eigen::VectorXd &contact_forces) const
+  double FiniteElementBody::rigid_side_force(const Eigen::VectorXd &deformation,
+                                             const Eigen::VectorXd &contact_forces) const
   {
     return side_motion_.dot(support_forces(deformation, contact_forces));
   }
 
-  double Body::strain_energy(const Eigen::VectorXd &deformation) const
+  double FiniteElementBody::strain_energy(const Eigen::VectorXd &deformation) const
   {
     return .5 * deformation.dot(stiffness_ * deformation);
   }

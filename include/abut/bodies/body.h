@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/base/counts.h>
+#include <abut/bodies/cells.h>
+#include <abut/bodies/reactions.h>
+#include <abut/bodies/trace_body.h>
+#include <abut/mesh/cell_marks.h>
+#include <abut/mesh/quality.h>
+#include <abut/scene/body_description.h>
+
+#include <iosfwd>
+#include <memory>
+#include <optional>
+
+namespace abut
+{
+  struct OutputFields;
+  struct OutputPatches;
+
+  /// How often the expensive things were done: for reports.
+  struct BodyCounters
+  {
+    unsigned int meshes = 0;
+    unsigned int assemblies = 0;
+    unsigned int factorisations = 0;
+    unsigned int solves = 0; ///< right sides
+  };
+
+  /// Seconds of `Body::prepare`.
+  struct PreparationTimes
+  {
+    double assemble = 0., factorise = 0.;
+  };
+
+  /**
+   * An elastic body, as all but its own discretisation see it: adaptation, the loop, reports. Contact and the
+   * interface solvers see less, the TraceBody. Fields are vectors of all unknowns of the body, whatever these
+   * are; their values are asked for at points. Displacement = deformation + rigid motion: stresses come from
+   * the deformation alone, so that a body which is moved much further than it deforms keeps its digits.
+   */
+  class Body : public TraceBody
+  {
+  public:
+    explicit Body(const BodyDescription &description) : description_(description) {}
+
+    // What it is.
+    const std::string &name() const override { return description_.name; }
+    const BodyDescription &description() const { return description_; }
+    Material material() const { return {description_.young_modulus, description_.poisson_ratio}; }
+    /// The side that carries a given force, where there is one.
+    virtual const std::optional<Resultant> &resultant() const = 0;
+    /// The rigid motions that no support prevents, in words.
+    virtual const std::vector<std::string> &free_rigid_motions() const = 0;
+    virtual bool is_supported() const = 0;
+    /// H_a of the penalty and of the elastic layer for a contact side (world length).
+    virtual double contact_depth(std::size_t side) const = 0;
+    virtual LostLoad lost_load(const std::string &side) const = 0;
+    /// One line, or more, on its discretisation: `64 quadrilaterals of degree 1, 150 unknowns`.
+    virtual void describe(std::ostream &out) const = 0;
+    virtual Counts counts() const = 0;
+    virtual BodyCounters counters() const = 0;
+
+    // Its mesh.
+    /// Changes whenever the mesh does, and with it the unknowns.
+    virtual unsigned int mesh_version() const = 0;
+    virtual std::vector<CellInfo> cells() const = 0;
+    virtual MeshQuality mesh_quality() const = 0;
+    /// Where the exact stress may be infinite.
+    virtual std::vector<Vector2> singular_vertices() const = 0;
+    /// Why the bound of the estimated error does not hold for this body; empty where it does.
+    virtual std::string why_no_bound() const = 0;
+    /**
+     * Changes the mesh and carries fields over. Traces, supports and loads are those of the new mesh
+     * afterwards; `prepare` has to be called again. Where no mark can be followed, nothing changes.
+     */
+    virtual std::vector<Eigen::VectorXd> adapt(const CellMarks &marks,
+                                               const std::vector<Eigen::VectorXd> &fields) = 0;
+
+    // Its answers, after `prepare`.
+    /// Makes what the answers need for the present mesh. Throws ComputationError.
+    virtual PreparationTimes prepare() = 0;
+    /// Under loads, supports and contact forces (a trace vector).
+    virtual Eigen::VectorXd deformation(const Eigen::VectorXd &contact_forces,
+                                        double rigid_displacement) const = 0;
+    /// That the supports prescribe.
+    virtual Eigen::VectorXd rigid_motion(double rigid_displacement) const = 0;
+    /// What amplitudes of `motions` add to the displacement, without that of the rigid side.
+    virtual Eigen::VectorXd free_motion(const Eigen::VectorXd &amplitudes) const = 0;
+    /// The displacement of the rigid side among amplitudes of `motions`; 0 without one.
+    virtual double rigid_side_displacement(const Eigen::VectorXd &amplitudes) const = 0;
+    /// The whole displacement, but for free rigid motions.
+    Eigen::VectorXd displacement(const Eigen::VectorXd &contact_forces, const double rigid_displacement) const
+    {
+      return deformation(contact_forces, rigid_displacement) + rigid_motion(rigid_displacement);
+    }
+    virtual Reactions reactions(const Eigen::VectorXd &deformation,
+                                const Eigen::VectorXd &contact_forces) const = 0;
+    /// Force of the rigid side on the body, along the direction of its resultant.
+    virtual double rigid_side_force(const Eigen::VectorXd &deformation,
+                                    const Eigen::VectorXd &contact_forces) const = 0;
+    virtual double strain_energy(const Eigen::VectorXd &deformation) const = 0;
+
+    // Its fields.
+    /// The values of a field on the contact sides, a trace vector.
+    virtual Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const = 0;
+    /// The continuous field with given values on the contact sides that is zero at all other nodes.
+    virtual Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const = 0;
+    /// What supports prescribe on the contact sides where they hold them, a trace vector; before `prepare`
+    /// too.
+    virtual Eigen::VectorXd prescribed_trace() const = 0;
+    /// Of a displacement or deformation.
+    virtual void visit_displacement(const Eigen::VectorXd &field, SamplePoints points,
+                                    const DisplacementVisitor &visitor) const = 0;
+    virtual void visit_stress(const Eigen::VectorXd &deformation, SamplePoints points,
+                              const StressVisitor &visitor) const = 0;
+    /// At a point of the undeformed body (world frame). Throws UserError for a point outside.
+    virtual Vector2 displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const = 0;
+    virtual OutputPatches output_patches(const OutputFields &fields) const = 0;
+
+  private:
+    BodyDescription description_;
+  };
+
+  /// A body of the kind that its description asks for. Construction reads and checks everything, loads
+  /// included (UserError). `contact_sides`: boundaries by name, in the order of the trace vector.
+  std::unique_ptr<Body> make_body(const BodyDescription &description,
+                                  const std::vector<std::string> &contact_sides);
+} // namespace abut

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The values of a body's fields at points of its cells.
+#include <abut/base/user_error.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
+#include <abut/bodies/finite_elements/stress_field.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_simplex_p.h>
+
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    /// p subdivisions of every edge.
+    dealii::Quadrature<2> output_points(const Space &space)
+    {
+      if (space.mesh().cell_type == CellType::triangles)
+        return dealii::Quadrature<2>(dealii::FE_SimplexP<2>(space.degree()).get_unit_support_points());
+      return dealii::QIterated<2>(dealii::QTrapezoid<1>(), space.degree());
+    }
+
+    /// Several points on each edge for degrees above 1.
+    dealii::Quadrature<2> outline_points(const Space &space)
+    {
+      const std::vector<dealii::Point<2>> triangle = {{0., 0.}, {1., 0.}, {0., 1.}};
+      const std::vector<dealii::Point<2>> square = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
+      const auto &corners = space.mesh().cell_type == CellType::triangles ? triangle : square;
+      const unsigned int pieces = space.degree() == 1 ? 1 : 2 * space.degree();
+      std::vector<dealii::Point<2>> points;
+      for (std::size_t corner = 0; corner < corners.size(); ++corner)
+        for (unsigned int piece = 0; piece < pieces; ++piece)
+        {
+          const auto &begin = corners[corner], &end = corners[(corner + 1) % corners.size()];
+          points.push_back(begin + (static_cast<double>(piece) / pieces) * (end - begin));
+        }
+      return dealii::Quadrature<2>(points);
+    }
+
+    /// Counts the points that are visited cell by cell.
+    class PointCounter
+    {
+    public:
+      explicit PointCounter(const std::size_t points_per_cell) : points_per_cell_(points_per_cell) {}
+      SamplePoint next(const Vector2 &place, const double weight)
+      {
+        return {static_cast<unsigned int>(visited_++ / points_per_cell_), place, weight};
+      }
+
+    private:
+      std::size_t points_per_cell_, visited_ = 0;
+    };
+  } // namespace
+
+  dealii::Quadrature<2> sample_rule(const Space &space, const SamplePoints points)
+  {
+    switch (points)
+    {
+    case SamplePoints::energy:
+      return space.quadrature();
+    case SamplePoints::comparison:
+      return gauss_rule(space, space.degree() + 1);
+    case SamplePoints::precise:
+      return gauss_rule(space, space.degree() + 2);
+    case SamplePoints::output:
+      return output_points(space);
+    case SamplePoints::outline:
+      return outline_points(space);
+    }
+    throw dealii::ExcInternalError();
+  }
+
+  void FiniteElementBody::visit_displacement(const Eigen::VectorXd &field, const SamplePoints points,
+                                             const DisplacementVisitor &visitor) const
+  {
+    AssertDimension(field.size(), space_->n_dofs());
+    const dealii::Quadrature<2> rule = sample_rule(*space_, points);
+    PointCounter counter(rule.size());
+    visit_gradients(
+        *space_, rule, field,
+        [&](const Vector2 &place, const double weight, const Vector2 &u, const Eigen::Matrix2d &gradient) {
+          visitor(counter.next(place, weight), u, gradient);
+        });
+  }
+
+  void FiniteElementBody::visit_stress(const Eigen::VectorXd &deformation, const SamplePoints points,
+                                       const StressVisitor &visitor) const
+  {
+    AssertDimension(deformation.size(), space_->n_dofs());
+    const dealii::Quadrature<2> rule = sample_rule(*space_, points);
+    PointCounter counter(rule.size());
+    StressField(*this, deformation)
+        .visit(rule, [&](const Vector2 &place, const double weight, const Stress &stress) {
+          visitor(counter.next(place, weight), stress);
+        });
+  }
+
+  Vector2 FiniteElementBody::displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const
+  {
+    const dealii::Point<2> place(point.x(), point.y());
+    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+    {
+      if (!cell->point_inside(place))
+        continue;
+      const dealii::Quadrature<2> at_point(space_->mapping().transform_real_to_unit_cell(cell, place));
+      dealii::FEValues<2> values(space_->mapping(), space_->dof_handler().get_fe(), at_point,
+                                 dealii::update_values);
+      values.reinit(cell);
+      std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
+      cell->get_dof_indices(dofs);
+      Vector2 sum = Vector2::Zero();
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        sum[values.get_fe().system_to_component_index(i).first] +=
+            values.shape_value(i, 0) * displacement[static_cast<Eigen::Index>(dofs[i])];
+      return sum;
+    }
+    std::ostringstream text;
+    text << "Body " << name() << " has no point (" << point.x() << ", " << point.y() << ")";
+    throw UserError(text.str());
+  }
+} // namespace abut

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What a body tells of its mesh and its discretisation.
+#include <abut/base/directions.h>
+#include <abut/base/user_error.h>
+#include <abut/bodies/boundary_elements/graded_sides.h>
+#include <abut/bodies/finite_elements/locking.h>
+#include <abut/bodies/finite_elements/projected_divergence.h>
+#include <abut/bodies/finite_elements/side_conditions.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace abut
+{
+  Counts FiniteElementBody::counts() const
+  {
+    return {space_->mesh().triangulation.n_active_cells(), space_->dof_handler().n_dofs(),
+            dealii::DoFTools::extract_boundary_dofs(space_->dof_handler()).n_elements()};
+  }
+
+  std::vector<CellInfo> FiniteElementBody::cells() const
+  {
+    std::vector<CellInfo> cells;
+    for (const auto &cell : space_->mesh().triangulation.active_cell_iterators())
+    {
+      CellInfo info;
+      for (const unsigned int i : cell->vertex_indices())
+        info.vertices.emplace_back(cell->vertex(i)[0], cell->vertex(i)[1]);
+      info.centre = Vector2(cell->center()[0], cell->center()[1]);
+      info.diameter = cell->diameter();
+      info.level = static_cast<unsigned int>(cell->level());
+      info.at_boundary = cell->at_boundary();
+      cells.push_back(std::move(info));
+    }
+    return cells;
+  }
+
+  MeshQuality FiniteElementBody::mesh_quality() const
+  {
+    return abut::mesh_quality(space_->mesh().triangulation);
+  }
+
+  std::vector<Vector2> FiniteElementBody::singular_vertices() const
+  {
+    return abut::singular_vertices(*this);
+  }
+
+  std::string FiniteElementBody::why_no_bound() const
+  {
+    if (projects_divergence())
+      return "the projected divergence of the nearly incompressible body " + name() +
+             " is left out of the theory";
+    if (description().allow_locking && description().poisson_ratio > largest_locking_ratio)
+      return "body " + name() + " is allowed to lock";
+    if (space_->mesh().curved)
+      return "the error of the straight edges that stand for the curved sides of body " + name() +
+             " is not part of it";
+    return {};
+  }
+
+  LostLoad FiniteElementBody::lost_load(const std::string &side) const
+  {
+    const SideConditions conditions(*this);
+    const auto boundary = boundary_id(space_->mesh(), side);
+    const Trace trace = space_->trace(boundary);
+    LostLoad load;
+    for (const Segment &segment : trace.segments())
+    {
+      const Vector2 normal = Trace::averaged_normal(segment, .5), place = trace.point(segment, .5);
+      const Vector2 traction = conditions.traction(boundary, place, normal);
+      const Vector2 free = free_part(conditions.supported(boundary, normal), traction);
+      load.lost = std::max(load.lost, (traction - free).norm());
+      load.largest = std::max(load.largest, traction.norm());
+    }
+    return load;
+  }
+
+  void FiniteElementBody::describe(std::ostream &out) const
+  {
+    out << space_->mesh().triangulation.n_active_cells() << ' '
+        << (space_->mesh().cell_type == CellType::triangles ? "triangles" : "quadrilaterals") << " of degree "
+        << space_->degree() << ", " << space_->n_dofs() << " unknowns, E = " << description().young_modulus
+        << ", nu = " << description().poisson_ratio << '\n';
+    if (projects_divergence())
+      out << "  volumetric term: divergence projected onto polynomials of degree " << space_->degree() - 1
+          << " (quadrilaterals from nu = " << smallest_projected_ratio << " on)\n";
+  }
+
+  const FiniteElementBody &as_finite_elements(const Body &body, const std::string &what)
+  {
+    if (const auto *const found = dynamic_cast<const FiniteElementBody *>(&body))
+      return *found;
+    throw UserError("Body " + body.name() + ": " + what + " is for bodies of finite elements");
+  }
+
+  std::unique_ptr<Body> make_body(const BodyDescription &description,
+                                  const std::vector<std::string> &contact_sides)
+  {
+    return std::make_unique<FiniteElementBody>(description, contact_sides);
+  }
+} // namespace abut
