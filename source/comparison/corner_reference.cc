@@ -9,7 +9,7 @@ namespace abut
     ReentrantCorner make_corner(const Scene &scene)
     {
       const SceneChecks checks(scene.reference);
-      checks.require_single_body(scene, Shape::l_shape, "L-shape");
+      checks.require_single_body(scene, "L-shape");
       const BodyDescription &body = scene.bodies.front();
       for (const std::string side : {"left", "right", "bottom", "top"})
         checks.require_exact(body, side);

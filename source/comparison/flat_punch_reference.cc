@@ -31,7 +31,7 @@ namespace abut
     FlatPunch make_punch(const Scene &scene)
     {
       const SceneChecks checks(scene.reference);
-      checks.require_single_body(scene, Shape::rectangle, "rectangle");
+      checks.require_single_body(scene, "rectangle");
       const BodyDescription &body = scene.bodies.front();
       const double half_width = scene.reference.half_width;
       std::ostringstream text;

@@ -29,7 +29,7 @@ namespace abut
 
     bool is_rectangle(const BodyDescription &body)
     {
-      return body.shape == Shape::rectangle || body.shape == Shape::rectangle_curved_top;
+      return body.shape == "rectangle" || body.shape == "rectangle with curved top";
     }
 
     HertzFace hertz_rectangle(const BodyDescription &body, const std::string &boundary)
@@ -39,7 +39,7 @@ namespace abut
       const double middle = is_half ? 0. : .5 * width, side = boundary == "top" ? 1. : -1.;
       std::function<double(double)> height = [](double) { return 0.; };
       double y = boundary == "top" ? tall : 0.;
-      if (body.shape == Shape::rectangle_curved_top)
+      if (body.shape == "rectangle with curved top")
       {
         height = [&body](const double x) { return (*body.top)(Vector2(x, 0.)); };
         y = height(middle);
@@ -53,7 +53,7 @@ namespace abut
       const double radius = body.size[0];
       return {body,
               body.placement.length_to_world(radius),
-              body.shape == Shape::quarter_disc,
+              body.shape == "quarter disc",
               {0., radius},
               {0., 1.},
               [radius](const double x) { return std::sqrt(std::max(0., radius * radius - x * x)); }};
@@ -62,11 +62,10 @@ namespace abut
     HertzFace hertz_face(const SceneChecks &checks, const Scene &scene, const Side &side)
     {
       const BodyDescription &body = scene.bodies[scene.body_index(side.body)];
-      const bool is_disc =
-          body.shape == Shape::disc || body.shape == Shape::half_disc || body.shape == Shape::quarter_disc;
+      const bool is_disc = body.shape == "disc" || body.shape == "half disc" || body.shape == "quarter disc";
       const bool holds =
           is_disc ? side.boundary == "outer"
-                  : side.boundary == "top" || (body.shape == Shape::rectangle && side.boundary == "bottom");
+                  : side.boundary == "top" || (body.shape == "rectangle" && side.boundary == "bottom");
       checks.require((is_disc || is_rectangle(body)) && holds,
                      side.body + ":" + side.boundary +
                          " must be the top or bottom of a rectangle, the top of a rectangle with curved top "

@@ -12,7 +12,7 @@ namespace abut
   {
     bool is_quarter(const BodyDescription &body)
     {
-      return body.shape == Shape::quarter_disc || body.shape == Shape::quarter_ring;
+      return body.shape == "quarter disc" || body.shape == "quarter ring";
     }
 
     /// The body on one side of the fit.
@@ -25,8 +25,8 @@ namespace abut
                      "the contact must join an `outer` side with an `inner` one");
       const BodyDescription &body =
           scene.bodies[scene.body_index(on_slave ? contact.slave.body : contact.master.body)];
-      const bool is_ring = body.shape == Shape::ring || body.shape == Shape::quarter_ring;
-      const bool is_disc = body.shape == Shape::disc || body.shape == Shape::quarter_disc;
+      const bool is_ring = body.shape == "ring" || body.shape == "quarter ring";
+      const bool is_disc = body.shape == "disc" || body.shape == "quarter disc";
       checks.require(is_ring || (inner && is_disc),
                      "body " + body.name +
                          " must be a ring or quarter ring, the inner one a disc or quarter disc or these");

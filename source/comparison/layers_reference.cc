@@ -54,7 +54,7 @@ namespace abut
     void check_layer(const SceneChecks &checks, const BodyDescription &body, const std::string &contact_side,
                      const bool infinite)
     {
-      checks.require(body.shape == Shape::rectangle && (contact_side == "top" || contact_side == "bottom"),
+      checks.require(body.shape == "rectangle" && (contact_side == "top" || contact_side == "bottom"),
                      "body " + body.name + " must be a rectangle with contact on its top or bottom");
       checks.require_roller(body, "left");
       if (!infinite)

@@ -56,11 +56,11 @@ namespace abut
     require(body.body_force.empty(), "body " + body.name + " has a body force, it must have none");
   }
 
-  void SceneChecks::require_single_body(const Scene &scene, const Shape shape, const std::string &word) const
+  void SceneChecks::require_single_body(const Scene &scene, const std::string &shape) const
   {
     require(scene.bodies.size() == 1 && scene.contacts.empty(), "it needs one body and no contact");
     const BodyDescription &body = scene.bodies.front();
-    require(body.shape == shape, "body " + body.name + " must have the shape `" + word + "`");
+    require(body.shape == shape, "body " + body.name + " must have the shape `" + shape + "`");
     require_no_body_force(body);
   }
 

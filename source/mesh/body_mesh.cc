@@ -2,10 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/mesh/jacobians.h>
-#include <abut/mesh/manifolds.h>
-#include <abut/mesh/mesh_file.h>
 #include <abut/mesh/raw_mesh.h>
-#include <abut/mesh/shapes.h>
+#include <abut/scene/shape_entry.h>
 
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/mapping_fe.h>
@@ -16,37 +14,18 @@ namespace abut
 {
   namespace
   {
-    RawMesh built_in_shape(const BodyDescription &body)
+    RawMesh own_mesh(const ShapeEntry &shape, const BodyDescription &body)
     {
+      if (shape.reads_file)
+        return shape.make(body);
       if (body.cells[0] == 0 || body.cells[1] == 0)
         throw UserError("Body " + body.name + "/Cells: " + std::to_string(body.cells[0]) + ", " +
                         std::to_string(body.cells[1]) + "; both numbers must be at least 1");
-      RawMesh mesh;
-      switch (body.shape)
-      {
-      case Shape::rectangle:
-      case Shape::rectangle_curved_top:
-        mesh = rectangle(body);
-        break;
-      case Shape::l_shape:
-        mesh = l_shape(body);
-        break;
-      case Shape::ring:
-      case Shape::quarter_ring:
-        mesh = ring(body);
-        break;
-      default:
-        mesh = disc(body);
-      }
+      RawMesh mesh = shape.make(body);
       if (body.cell_type == CellType::triangles)
         mesh = split_into_triangles(mesh);
       check_cells(mesh, "Body " + body.name);
       return mesh;
-    }
-
-    bool has_curved_sides(const BodyDescription &body)
-    {
-      return has_curves(body.shape) && body.cell_type == CellType::quadrilaterals;
     }
 
     void place(RawMesh &mesh, const Placement &placement)
@@ -92,18 +71,19 @@ namespace abut
 
   std::unique_ptr<BodyMesh> make_mesh(const BodyDescription &body)
   {
-    RawMesh raw = body.shape == Shape::mesh_file ? read_mesh_file(body) : built_in_shape(body);
+    const ShapeEntry &shape = shape_of(body);
+    RawMesh raw = own_mesh(shape, body);
     place(raw, body.placement);
 
     auto mesh = std::make_unique<BodyMesh>();
     mesh->name = body.name;
     mesh->cell_type = raw.cell_type;
-    mesh->curved = has_curved_sides(body);
+    mesh->curved = shape.has_curves && raw.cell_type == CellType::quadrilaterals;
     mesh->boundaries.insert(raw.sides.begin(), raw.sides.end());
     create_triangulation(mesh->triangulation, raw);
     if (mesh->curved)
     {
-      attach_manifolds(mesh->triangulation, body);
+      shape.attach_curves(mesh->triangulation, body);
       check_jacobians(mesh->triangulation, *mesh->mapping(body.degree), body.degree, "Body " + body.name);
     }
     return mesh;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/mesh/body_mesh.h>
+#include <abut/scene/shape_entry.h>
 
 #include <algorithm>
 #include <limits>
@@ -70,20 +71,11 @@ namespace abut
   {
     if (body.contact_depth)
       return body.placement.length_to_world(*body.contact_depth);
-    switch (body.shape)
-    {
-    case Shape::disc:
-    case Shape::half_disc:
-    case Shape::quarter_disc:
-      return body.placement.length_to_world(body.size.at(0));
-    case Shape::ring:
-    case Shape::quarter_ring:
-      return body.placement.length_to_world(body.size.at(1) - body.size.at(0));
-    default:
-      constexpr double vanishing = 1e-6; // mean of a unit vector: 0 around a closed curve up to rounding
-      const auto vertices = boundary_vertices(mesh.triangulation);
-      const Vector2 normal = mean_normal(mesh.triangulation, side);
-      return normal.norm() > vanishing ? extent(vertices, normal.normalized()) : 0.5 * diameter(vertices);
-    }
+    if (const ShapeEntry &shape = shape_of(body); shape.contact_depth != nullptr)
+      return body.placement.length_to_world(shape.contact_depth(body));
+    constexpr double vanishing = 1e-6; // mean of a unit vector: 0 around a closed curve up to rounding
+    const auto vertices = boundary_vertices(mesh.triangulation);
+    const Vector2 normal = mean_normal(mesh.triangulation, side);
+    return normal.norm() > vanishing ? extent(vertices, normal.normalized()) : 0.5 * diameter(vertices);
   }
 } // namespace abut

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
-#include <abut/mesh/shapes.h>
-
-#include <cmath>
+#include <abut/mesh/circle.h>
+#include <abut/mesh/raw_mesh.h>
+#include <abut/scene/shape_entry.h>
 
 namespace abut
 {
-  Vector2 quarter_circle(const unsigned int k, const unsigned int n)
-  {
-    if (2 * k > n)
-      return quarter_circle(n - k, n).reverse();
-    if (2 * k == n)
-      return Vector2::Constant(std::sqrt(0.5));
-    const double angle = std::acos(0.) * k / n;
-    return Vector2(std::cos(angle), std::sin(angle));
-  }
-
   namespace
   {
     // Corners of the core, in radii: (0, 0), (side, 0), (corner, corner), (0, side). Pulling the corner in
@@ -46,7 +36,8 @@ namespace abut
       }
     };
 
-    RawMesh quarter_disc(const double radius, const QuarterDiscNumbering &number)
+    /// A square core of n/2 x n/2 cells (n along the arc, even) and around it n x m cells up to the arc.
+    RawMesh quarter_disc_mesh(const double radius, const QuarterDiscNumbering &number)
     {
       const auto [n, m] = number;
       const unsigned int half = number.half();
@@ -73,19 +64,45 @@ namespace abut
       mesh.add_side("bottom", m, [&](unsigned int r) { return number.arc(r, 0); });
       return mesh;
     }
+
+    RawMesh quarter_disc(const BodyDescription &body)
+    {
+      if (body.cells[0] % 2 != 0)
+        throw UserError("Body " + body.name + "/Cells: " + std::to_string(body.cells[0]) +
+                        " cells along a quarter arc; a disc needs an even number");
+      return quarter_disc_mesh(body.size.at(0), {body.cells[0], body.cells[1]});
+    }
+
+    RawMesh half_disc(const BodyDescription &body)
+    {
+      return reflect(quarter_disc(body), 0, "left");
+    }
+
+    RawMesh disc(const BodyDescription &body)
+    {
+      return reflect(half_disc(body), 1, "bottom");
+    }
+
+    ShapeEntry disc_entry(const std::string &name, const std::string &documentation,
+                          RawMesh (*make)(const BodyDescription &))
+    {
+      ShapeEntry entry{name, documentation};
+      entry.size = "radius";
+      entry.has_curves = true;
+      entry.make = make;
+      entry.attach_curves = attach_outer_circle;
+      entry.contact_depth = [](const BodyDescription &body) { return body.size.at(0); };
+      return entry;
+    }
+
+    const Registered<ShapeEntry>
+        registered_disc(disc_entry("disc",
+                                   "centre at the origin, side outer; Cells along a quarter of the arc (an "
+                                   "even number), along the radius",
+                                   disc));
+    const Registered<ShapeEntry> registered_half_disc(
+        disc_entry("half disc", "y >= 0 of a disc, sides outer, bottom; Cells as there", half_disc));
+    const Registered<ShapeEntry> registered_quarter_disc(disc_entry(
+        "quarter disc", "x, y >= 0 of a disc, sides outer, left, bottom; Cells as there", quarter_disc));
   } // namespace
-
-  RawMesh disc(const BodyDescription &body)
-  {
-    if (body.cells[0] % 2 != 0)
-      throw UserError("Body " + body.name + "/Cells: " + std::to_string(body.cells[0]) +
-                      " cells along a quarter arc; a disc needs an even number");
-
-    RawMesh mesh = quarter_disc(body.size.at(0), {body.cells[0], body.cells[1]});
-    if (body.shape != Shape::quarter_disc)
-      mesh = reflect(mesh, 0, "left");
-    if (body.shape == Shape::disc)
-      mesh = reflect(mesh, 1, "bottom");
-    return mesh;
-  }
 } // namespace abut

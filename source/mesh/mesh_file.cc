@@ -2,6 +2,7 @@
 #include <abut/base/text.h>
 #include <abut/base/user_error.h>
 #include <abut/mesh/mesh_file.h>
+#include <abut/scene/shape_entry.h>
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
@@ -129,4 +130,17 @@ namespace abut
     check_cells(mesh, where);
     return mesh;
   }
+
+  namespace
+  {
+    ShapeEntry mesh_file_entry()
+    {
+      ShapeEntry entry{"mesh file", "what Mesh file tells, sides by their physical ids"};
+      entry.reads_file = true;
+      entry.make = read_mesh_file;
+      return entry;
+    }
+
+    const Registered<ShapeEntry> registered_mesh_file(mesh_file_entry());
+  } // namespace
 } // namespace abut

@@ -1,63 +1,35 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/user_error.h>
-#include <abut/mesh/shapes.h>
+#include <abut/mesh/rectangle.h>
+#include <abut/scene/shape_entry.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace abut
 {
-  namespace
+  std::vector<double> graded(const unsigned int n, const double grading)
   {
-    /// n + 1 numbers from 0 to 1, whose differences form a geometric progression with last = grading * first.
-    std::vector<double> graded(const unsigned int n, const double grading)
-    {
-      const double ratio = n > 1 ? std::pow(grading, 1. / (n - 1)) : 1.;
-      std::vector<double> numbers{0.};
-      double step = 1.;
-      for (unsigned int i = 0; i < n; ++i, step *= ratio)
-        numbers.push_back(numbers.back() + step);
-      const double total = numbers.back();
-      for (double &number : numbers)
-        number /= total;
-      return numbers;
-    }
+    const double ratio = n > 1 ? std::pow(grading, 1. / (n - 1)) : 1.;
+    std::vector<double> numbers{0.};
+    double step = 1.;
+    for (unsigned int i = 0; i < n; ++i, step *= ratio)
+      numbers.push_back(numbers.back() + step);
+    const double total = numbers.back();
+    for (double &number : numbers)
+      number /= total;
+    return numbers;
+  }
 
-    /// The curved top is looked at in this many places a cell.
-    constexpr int samples = 16;
-
-    void check_top(const BodyDescription &body, const std::vector<double> &columns)
-    {
-      for (std::size_t i = 0; i + 1 < columns.size(); ++i)
-        for (int k = 0; k <= samples; ++k)
-        {
-          const double x = body.size[0] * (columns[i] + (columns[i + 1] - columns[i]) * k / samples);
-          const double y = (*body.top)(Vector2(x, 0.));
-          if (!(y > 0.))
-          {
-            std::ostringstream message;
-            message << "Body " << body.name << "/Top: the height is " << y << " at x = " << x
-                    << ", it must be positive along the whole width";
-            throw UserError(message.str());
-          }
-        }
-    }
-  } // namespace
-
-  RawMesh rectangle(const BodyDescription &body)
+  RawMesh rectangle_below(const BodyDescription &body, const std::function<double(double x)> &height)
   {
     const auto columns = graded(body.cells[0], body.grading[0]);
     const auto rows = graded(body.cells[1], body.grading[1]);
-    const bool curved = body.shape == Shape::rectangle_curved_top;
-    if (curved)
-      check_top(body, columns);
 
     RawMesh mesh;
     for (const double t : rows)
       for (const double s : columns)
       {
         const double x = body.size[0] * s;
-        mesh.vertices.emplace_back(x, t * (curved ? (*body.top)(Vector2(x, 0.)) : body.size[1]));
+        mesh.vertices.emplace_back(x, t * height(x));
       }
 
     const unsigned int nx = body.cells[0], ny = body.cells[1];
@@ -69,4 +41,21 @@ namespace abut
     mesh.add_side("top", nx, [&](unsigned int i) { return index(i, ny); });
     return mesh;
   }
+
+  namespace
+  {
+    ShapeEntry rectangle_entry()
+    {
+      ShapeEntry entry{"rectangle",
+                       "corner at the origin, sides left, right, bottom, top; Cells along x, along y"};
+      entry.size = "width, height";
+      entry.takes_grading = true;
+      entry.make = [](const BodyDescription &body) {
+        return rectangle_below(body, [&](double) { return body.size[1]; });
+      };
+      return entry;
+    }
+
+    const Registered<ShapeEntry> registered_rectangle(rectangle_entry());
+  } // namespace
 } // namespace abut

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/text.h>
 #include <abut/scene/body_description.h>
+#include <abut/scene/shape_entry.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 namespace abut
 {
@@ -15,38 +17,29 @@ namespace abut
     using dealii::ParameterHandler;
     namespace Patterns = dealii::Patterns;
 
-    const Choices<Shape> shapes{{"rectangle", Shape::rectangle},
-                                {"rectangle with curved top", Shape::rectangle_curved_top},
-                                {"disc", Shape::disc},
-                                {"half disc", Shape::half_disc},
-                                {"quarter disc", Shape::quarter_disc},
-                                {"L-shape", Shape::l_shape},
-                                {"ring", Shape::ring},
-                                {"quarter ring", Shape::quarter_ring}};
-
     const Choices<CellType> cell_types{{"quadrilaterals", CellType::quadrilaterals},
                                        {"triangles", CellType::triangles}};
 
+    std::string sizes_of_shapes()
+    {
+      std::string text;
+      for (const ShapeEntry &shape : Registry<ShapeEntry>::get().entries())
+        if (!shape.reads_file)
+          text += (text.empty() ? "" : "; ") + shape.name + ": " + shape.size;
+      return text + ".";
+    }
+
     void declare_shape(ParameterHandler &prm)
     {
-      prm.declare_entry(
-          "Shape", "rectangle", Patterns::Selection(words_of(shapes)),
-          "Built-in shape, in the body's own frame. Rectangle: corner at the origin, sides left, "
-          "right, bottom, top. L-shape: the square of twice the size around the origin without its "
-          "quarter x > 0, y < 0, sides left, right, bottom, top and corner, the two edges that meet at the "
-          "origin. Discs and rings: centre at the origin, sides outer, inner; halves "
-          "(y >= 0) have also bottom, quarters (x, y >= 0) left and bottom. Not used with a mesh "
-          "file.");
-      prm.declare_entry(
-          "Size", "1, 1", Patterns::List(Patterns::Double(0.), 1, 2),
-          "Lengths, before Scale. Rectangles: width, height; discs: radius; rings: inner, outer "
-          "radius; L-shape: half its width.");
+      prm.declare_entry("Shape", "rectangle", Patterns::Anything(),
+                        "In the body's own frame. Not used with a mesh file. " +
+                            Vocabulary::of("Shape").documentation());
+      prm.declare_entry("Size", "1, 1", Patterns::List(Patterns::Double(0.), 1, 2),
+                        "Lengths, before Scale. " + sizes_of_shapes());
       prm.declare_entry("Top", "", Patterns::Anything(),
                         "Rectangle with curved top: height y of the top at x, a formula. Length.");
-      prm.declare_entry(
-          "Cells", "8, 8", Patterns::List(Patterns::Integer(1, 100000), 2, 2),
-          "Number of cells. Rectangles: along x, along y; L-shape: the same in each of its three squares; "
-          "discs and rings: along a quarter of the arc, along the radius.");
+      prm.declare_entry("Cells", "8, 8", Patterns::List(Patterns::Integer(1, 100000), 2, 2),
+                        "Number of cells along two directions, see Shape.");
       prm.declare_entry("Grading", "1, 1", Patterns::List(Patterns::Double(0.), 2, 2),
                         "Rectangles: size of the last cell over that of the first, along x and y. No unit.");
       prm.declare_entry("Cell type", "quadrilaterals", Patterns::Selection(words_of(cell_types)),
@@ -127,79 +120,68 @@ namespace abut
       return value;
     }
 
-    std::string expected_size(const Shape shape)
-    {
-      switch (shape)
-      {
-      case Shape::rectangle:
-      case Shape::rectangle_curved_top:
-        return "width, height";
-      case Shape::ring:
-      case Shape::quarter_ring:
-        return "inner radius, outer radius";
-      case Shape::l_shape:
-        return "half width";
-      default:
-        return "radius";
-      }
-    }
-
-    void check_size(const ParameterHandler &prm, const BodyDescription &body, const std::string &where)
+    void check_size(const ParameterHandler &prm, const BodyDescription &body, const ShapeEntry &shape,
+                    const std::string &where)
     {
       const auto &size = body.size;
-      const bool is_ring = body.shape == Shape::ring || body.shape == Shape::quarter_ring;
-      const std::string expected = expected_size(body.shape);
-      const auto count = 1 + std::count(expected.begin(), expected.end(), ',');
+      const auto count = 1 + std::count(shape.size.begin(), shape.size.end(), ',');
       const bool positive_lengths = std::all_of(size.begin(), size.end(), [](double s) { return s > 0.; });
+      const bool unordered =
+          std::adjacent_find(size.begin(), size.end(), std::greater_equal<>()) != size.end();
       if (static_cast<std::ptrdiff_t>(size.size()) != count || !positive_lengths ||
-          (is_ring && size[0] >= size[1]))
-        throw UserError(where + "Size: received `" + prm.get("Size") + "`, the shape " + prm.get("Shape") +
-                        " needs " + expected + ", above 0" + (is_ring ? ", the inner below the outer" : ""));
+          (!shape.order.empty() && unordered))
+        throw UserError(where + "Size: received `" + prm.get("Size") + "`, the shape " + shape.name +
+                        " needs " + shape.size + ", above 0" +
+                        (shape.order.empty() ? "" : ", " + shape.order));
     }
 
-    void parse_grading(const ParameterHandler &prm, BodyDescription &body, const std::string &where)
+    void parse_grading(const ParameterHandler &prm, BodyDescription &body, const ShapeEntry &shape,
+                       const std::string &where)
     {
       const auto grading = doubles(prm, "Grading");
-      const bool is_rectangle = body.shape == Shape::rectangle || body.shape == Shape::rectangle_curved_top;
       for (std::size_t d = 0; d < 2; ++d)
       {
         body.grading[d] = grading[d];
-        if (!(grading[d] > 0.) || (!is_rectangle && grading[d] != 1.))
-          throw UserError(where + "Grading: received `" + prm.get("Grading") + "`, allowed are " +
-                          (is_rectangle ? "numbers above 0" : "1, 1 where the shape is not a rectangle"));
+        if (!(grading[d] > 0.) || (!shape.takes_grading && grading[d] != 1.))
+          throw UserError(
+              where + "Grading: received `" + prm.get("Grading") + "`, allowed are " +
+              (shape.takes_grading ? "numbers above 0" : "1, 1 where the shape is not a rectangle"));
       }
     }
 
-    void parse_top(const ParameterHandler &prm, BodyDescription &body, const Constants &constants,
-                   const std::string &where)
+    void parse_top(const ParameterHandler &prm, BodyDescription &body, const ShapeEntry &shape,
+                   const Constants &constants, const std::string &where)
     {
       const std::string top = prm.get("Top");
-      if (body.shape == Shape::rectangle_curved_top)
+      if (shape.takes_top)
         body.top.emplace(top, constants, where + "Top");
       else if (!top.empty())
-        throw UserError(where + "Top: received `" + top +
-                        "`, only the shape rectangle with curved top has one");
+        throw UserError(
+            where + "Top: received `" + top + "`, only the shape " +
+            Registry<ShapeEntry>::get().names_with([](const ShapeEntry &entry) { return entry.takes_top; }) +
+            " has one");
     }
 
     void parse_shape(const ParameterHandler &prm, BodyDescription &body, const Constants &constants,
                      const std::string &where, const std::string &directory)
     {
-      body.shape = choose(shapes, prm.get("Shape"), where + "Shape");
       body.mesh_file = prm.get("Mesh file");
+      body.shape = body.mesh_file.empty() ? Vocabulary::of("Shape").check(prm.get("Shape"), where + "Shape")
+                                          : "mesh file";
+      const ShapeEntry &shape = shape_of(body);
+      if (shape.reads_file && body.mesh_file.empty())
+        throw UserError(where + "Mesh file: received ``, the shape " + shape.name + " needs its name");
       if (!body.mesh_file.empty())
-      {
-        body.shape = Shape::mesh_file;
         body.mesh_path = (std::filesystem::path(directory) / body.mesh_file).string();
-      }
       body.size = doubles(prm, "Size");
-      if (body.shape != Shape::mesh_file)
-        check_size(prm, body, where);
+      if (!shape.reads_file)
+        check_size(prm, body, shape, where);
       const auto cells =
           dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(prm.get("Cells")));
       body.cells = {{static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])}};
       body.cell_type = choose(cell_types, prm.get("Cell type"), where + "Cell type");
-      parse_grading(prm, body, where);
-      parse_top(prm, body, constants, where);
+      parse_grading(prm, body, shape, where);
+      parse_top(prm, body, shape, constants, where);
     }
 
     Placement parse_placement(const ParameterHandler &prm, const std::string &where)

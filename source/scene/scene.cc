@@ -4,6 +4,7 @@
 #include <abut/scene/scene.h>
 #include <abut/scene/scheme_checks.h>
 #include <abut/scene/section.h>
+#include <abut/scene/shape_entry.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -119,7 +120,7 @@ namespace abut
     /// Whether a body is given with curved sides but meshed with straight ones.
     bool is_polygon_for_a_curve(const BodyDescription &body)
     {
-      return body.cell_type == CellType::triangles && has_curves(body.shape);
+      return body.cell_type == CellType::triangles && shape_of(body).has_curves;
     }
 
     void check_different(const ContactDescription &a, const ContactDescription &b)

@@ -13,7 +13,7 @@ namespace
   constexpr double young_modulus = 2.1e5, poisson_ratio = .3;
   const Material steel{young_modulus, poisson_ratio};
 
-  BodyDescription steel_body(const Shape shape, const std::vector<double> &size,
+  BodyDescription steel_body(const std::string &shape, const std::vector<double> &size,
                              const std::array<unsigned int, 2> &cells, const unsigned int degree = 1,
                              const CellType type = CellType::quadrilaterals)
   {
@@ -32,7 +32,7 @@ namespace
   KnownBody loaded_block(const unsigned int n, const unsigned int degree, const CellType type)
   {
     const PlaneField field = smooth_field(steel);
-    BodyDescription body = steel_body(Shape::rectangle, {1., 1.}, {{n, n}}, degree, type);
+    BodyDescription body = steel_body("rectangle", {1., 1.}, {{n, n}}, degree, type);
     load(field, "left", outward(-1., 0.), body);
     load(field, "right", outward(1., 0.), body);
     load(field, "bottom", outward(0., -1.), body);
@@ -45,7 +45,7 @@ namespace
   KnownBody mixed_block(const unsigned int n, const unsigned int degree, const CellType type)
   {
     const PlaneField field = smooth_field(steel);
-    BodyDescription body = steel_body(Shape::rectangle, {1., 1.}, {{n, n}}, degree, type);
+    BodyDescription body = steel_body("rectangle", {1., 1.}, {{n, n}}, degree, type);
     hold(field, "left", body);
     load(field, "right", outward(1., 0.), body);
     hold_along(field, "bottom", ConditionKind::displacement_y, body);
@@ -57,7 +57,7 @@ namespace
   KnownBody loaded_disc(const unsigned int n)
   {
     const PlaneField field = smooth_field(steel);
-    BodyDescription body = steel_body(Shape::disc, {1.}, {{n, n / 2}});
+    BodyDescription body = steel_body("disc", {1.}, {{n, n / 2}});
     load(
         field, "outer", [](const Vector2 &p) -> Vector2 { return p.normalized(); }, body);
     hold_points(field, {-1., 0.}, {1., 0.}, body);
@@ -67,7 +67,7 @@ namespace
   KnownBody held_disc(const unsigned int n)
   {
     const PlaneField field = smooth_field(steel);
-    BodyDescription body = steel_body(Shape::disc, {1.}, {{n, n / 2}});
+    BodyDescription body = steel_body("disc", {1.}, {{n, n / 2}});
     hold(field, "outer", body);
     return {body, field.stress};
   }
@@ -75,7 +75,7 @@ namespace
   KnownBody mixed_ring(const unsigned int n)
   {
     const PlaneField field = smooth_field(steel);
-    BodyDescription body = steel_body(Shape::ring, {.5, 1.}, {{2 * n, n}});
+    BodyDescription body = steel_body("ring", {.5, 1.}, {{2 * n, n}});
     hold(field, "outer", body);
     load(
         field, "inner", [](const Vector2 &p) -> Vector2 { return -p.normalized(); }, body);
@@ -85,7 +85,7 @@ namespace
   KnownBody loaded_ring(const unsigned int n)
   {
     const PlaneField field = smooth_field(steel);
-    BodyDescription body = steel_body(Shape::ring, {.5, 1.}, {{2 * n, n}});
+    BodyDescription body = steel_body("ring", {.5, 1.}, {{2 * n, n}});
     load(
         field, "outer", [](const Vector2 &p) -> Vector2 { return p.normalized(); }, body);
     load(
@@ -98,7 +98,7 @@ namespace
   KnownBody mixed_l_shape(const unsigned int n, const unsigned int degree)
   {
     const PlaneField field = smooth_field(steel);
-    BodyDescription body = steel_body(Shape::l_shape, {1.}, {{n, n}}, degree);
+    BodyDescription body = steel_body("L-shape", {1.}, {{n, n}}, degree);
     for (const std::string side : {"left", "bottom", "top"})
       hold(field, side, body);
     load(field, "right", outward(1., 0.), body);

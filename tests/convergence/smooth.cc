@@ -23,7 +23,7 @@ namespace
   BodyDescription curved_plate(const unsigned int degree)
   {
     BodyDescription body = plate(CellType::quadrilaterals, degree);
-    body.shape = Shape::rectangle_curved_top;
+    body.shape = "rectangle with curved top";
     body.top.emplace("1 + 0.2*sin(2*x)", Constants{}, "Top");
     return body;
   }

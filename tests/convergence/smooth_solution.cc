@@ -44,7 +44,7 @@ namespace
   /// The slope of the top side, as a formula: that of `curved_top`, or 0.
   std::string slope(const BodyDescription &shape)
   {
-    return shape.shape == Shape::rectangle_curved_top ? "(0.4*cos(2*x))" : "0";
+    return shape.shape == "rectangle with curved top" ? "(0.4*cos(2*x))" : "0";
   }
 } // namespace
 

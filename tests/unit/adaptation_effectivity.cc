@@ -39,7 +39,7 @@ namespace
 
   Norms effectivity(const Variant &variant, const unsigned int n, const Mesh mesh, const EstimatorKind kind)
   {
-    BodyDescription shape = make_body(Shape::rectangle, {1.3, 1.}, {{n, n}});
+    BodyDescription shape = make_body("rectangle", {1.3, 1.}, {{n, n}});
     shape.cell_type = variant.type;
     shape.degree = variant.degree;
     shape.young_modulus = 2.1e5;

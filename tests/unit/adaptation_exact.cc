@@ -31,7 +31,7 @@ namespace
 
   BodyDescription smooth_body(const Variant &variant, const Placement &placement, const double modulus)
   {
-    BodyDescription shape = make_body(Shape::rectangle, {1.3, 1.}, {{4, 4}});
+    BodyDescription shape = make_body("rectangle", {1.3, 1.}, {{4, 4}});
     shape.cell_type = variant.type;
     shape.degree = variant.degree;
     shape.placement = placement;

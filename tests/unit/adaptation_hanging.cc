@@ -10,7 +10,7 @@ namespace
 {
   std::unique_ptr<FiniteElementBody> two_squares(const unsigned int degree)
   {
-    auto description = make_body(Shape::rectangle, {2., 1.}, {{2, 1}});
+    auto description = make_body("rectangle", {2., 1.}, {{2, 1}});
     description.degree = degree;
     description.young_modulus = 2.6; // lambda = 1.5, mu = 1
     description.poisson_ratio = .3;

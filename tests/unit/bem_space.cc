@@ -146,7 +146,7 @@ TEST(BemSpace, HoldsTheCurvesOfARing)
 {
   for (const unsigned int degree : {1u, 2u})
   {
-    FiniteElementBody body(make_body(abut::Shape::ring, {.4, 1.}, {{8, 2}}), {});
+    FiniteElementBody body(make_body("ring", {.4, 1.}, {{8, 2}}), {});
     const BoundarySpace space(sides_of(body), degree, 2);
     EXPECT_EQ(space.n_elements(), 64);
     EXPECT_EQ(count_curves(space), 2u);
@@ -164,7 +164,7 @@ TEST(BemSpace, HoldsTheBoundariesOfFiles)
 {
   for (const std::string name : {"quadrilaterals_2_2", "triangles_4_1"})
   {
-    BodyDescription description = make_body(abut::Shape::mesh_file, {}, {{1, 1}});
+    BodyDescription description = make_body("mesh file", {}, {{1, 1}});
     description.mesh_path = std::string(ABUT_SOURCE_DIR) + "/tests/data/" + name + ".msh";
     if (name == "triangles_4_1")
       description.cell_type = CellType::triangles;

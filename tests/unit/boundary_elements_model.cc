@@ -123,7 +123,7 @@ TEST(AdaptationBoundary, RefusesWhatItIsNotMadeFor)
     for (const EstimatorKind other : estimators)
       EXPECT_NO_THROW(make_indicator(other)->check(body));
   };
-  BodyDescription disc = make_body(Shape::disc, {1.}, {{4, 2}});
+  BodyDescription disc = make_body("disc", {1.}, {{4, 2}});
   set_conditions(disc, "outer: displacement: 0, 0");
   EXPECT_NO_THROW(indicator->check(FiniteElementBody(disc, {})));
   disc.degree = 2;
@@ -161,7 +161,7 @@ TEST(AdaptationBoundary, RefusesForcesAtPoints)
 TEST(AdaptationBoundary, OtherIndicatorsHaveNoBoundaryElements)
 {
   EXPECT_EQ(make_indicator(EstimatorKind::none), nullptr);
-  BodyDescription disc = make_body(Shape::disc, {1.}, {{4, 2}}); // curved, of degree 2: refused by fe-be
+  BodyDescription disc = make_body("disc", {1.}, {{4, 2}}); // curved, of degree 2: refused by fe-be
   disc.degree = 2;
   disc.young_modulus = 2.6;
   disc.poisson_ratio = .3;

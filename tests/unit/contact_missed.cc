@@ -26,7 +26,7 @@ namespace
     static BodyDescription block(const double height, const unsigned int columns, const unsigned int degree,
                                  const std::string &conditions)
     {
-      auto body = make_body(Shape::rectangle, {4., 1.}, {{columns, 1}});
+      auto body = make_body("rectangle", {4., 1.}, {{columns, 1}});
       body.degree = degree;
       if (!conditions.empty())
         set_conditions(body, conditions);

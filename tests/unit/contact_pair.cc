@@ -21,7 +21,7 @@ namespace
 
   BodyDescription block(const double height, const unsigned int columns, const Placement &placement)
   {
-    auto body = make_body(Shape::rectangle, {4., height}, {{columns, 2}});
+    auto body = make_body("rectangle", {4., height}, {{columns, 2}});
     body.placement = placement;
     return body;
   }

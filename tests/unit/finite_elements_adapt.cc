@@ -9,7 +9,7 @@ namespace
 {
   BodyDescription turned_plate(const Variant &variant)
   {
-    auto body = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
+    auto body = make_body("rectangle", {3., 2.}, {{3, 2}});
     body.cell_type = variant.type;
     body.degree = variant.degree;
     body.placement = Placement(1., variant.degree == 2, 25., Vector2(2., 1.));

@@ -9,7 +9,7 @@ namespace
 {
   BodyDescription block(const std::string &conditions)
   {
-    auto body = make_body(Shape::rectangle, {3., 2.}, {{6, 4}});
+    auto body = make_body("rectangle", {3., 2.}, {{6, 4}});
     body.degree = 2;
     body.young_modulus = 2.6;
     body.poisson_ratio = .3;
@@ -98,7 +98,7 @@ TEST(ElasticityBody, APressureOnACurvePullsNowhere)
 {
   // A closed curve under uniform pressure has no resultant, and its strain is uniform: u_r = -p r (1 - 2 nu)
   // (1 + nu) / E.
-  auto description = make_body(Shape::disc, {2.}, {{8, 2}});
+  auto description = make_body("disc", {2.}, {{8, 2}});
   description.degree = 3;
   description.young_modulus = 2.6;
   description.poisson_ratio = .3;

@@ -15,7 +15,7 @@ namespace
   std::unique_ptr<FiniteElementBody> loaded_body(const Variant &variant, const std::string &conditions,
                                                  const std::vector<std::string> &contact_sides = {})
   {
-    auto description = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
+    auto description = make_body("rectangle", {3., 2.}, {{3, 2}});
     description.cell_type = variant.type;
     description.degree = variant.degree;
     description.placement = Placement(1.5, true, 25., Vector2(2., 1.));
@@ -195,7 +195,7 @@ TEST(ElasticityBoundaryTraction, LinearContactPressuresAreFoundInside)
   // Between nodes where neighbouring edges are alike and the end is far: on the left, coarse part of the top.
   for (const Variant &variant : variants)
   {
-    auto description = make_body(Shape::rectangle, {3., 2.}, {{12, 2}});
+    auto description = make_body("rectangle", {3., 2.}, {{12, 2}});
     description.cell_type = variant.type;
     description.degree = variant.degree;
     set_conditions(description, "bottom: displacement: 0, 0");

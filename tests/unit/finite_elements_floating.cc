@@ -12,7 +12,7 @@ namespace
 
   BodyDescription floating_plate()
   {
-    auto body = make_body(Shape::rectangle, {2., 1.}, {{8, 4}});
+    auto body = make_body("rectangle", {2., 1.}, {{8, 4}});
     body.name = "plate";
     body.young_modulus = 100.;
     body.poisson_ratio = .3;

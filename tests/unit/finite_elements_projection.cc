@@ -15,7 +15,7 @@ namespace
   /// Cells that are no parallelograms, graded, turned and mirrored.
   BodyDescription trapezoids(const unsigned int degree, const double nu)
   {
-    auto body = make_body(Shape::rectangle_curved_top, {3., 1.}, {{4, 3}});
+    auto body = make_body("rectangle with curved top", {3., 1.}, {{4, 3}});
     body.top = Expression("1 + 0.3*x", {}, "test");
     body.grading = {{2., .5}};
     body.degree = degree;
@@ -125,7 +125,7 @@ TEST(ElasticityProjection, StressDoesTheWorkOfTheStiffness)
         BodyDescription description = trapezoids(degree, nu);
         if (disc)
         {
-          description.shape = Shape::disc;
+          description.shape = "disc";
           description.size = {2.};
           description.cells = {{2, 2}};
           description.grading = {{1., 1.}};

@@ -50,7 +50,7 @@ TEST(ElasticityRefined, LinearDisplacementsBelowACurvedTop)
                                                "top: displacement: 1e-2*(2*x - y), 1e-2*(x + 4*y); "
                                                "right: displacement: 1e-2*(2*x - y), 1e-2*(x + 4*y); "
                                                "bottom: displacement: 1e-2*(2*x - y), 1e-2*(x + 4*y)");
-    description.shape = Shape::rectangle_curved_top;
+    description.shape = "rectangle with curved top";
     description.top = Expression("1 + 0.2*x - 0.05*x^2", {}, "test");
     description.size = {3., 1.};
     FiniteElementBody body(description, {});
@@ -200,7 +200,7 @@ TEST(ElasticityRefined, ARingUnderPressureConvergesAndIsInBalance)
   const double a = 1., b = 2., pressure = .3;
   for (const unsigned int degree : {1u, 2u, 3u})
   {
-    auto description = make_body(Shape::quarter_ring, {a, b}, {{4, 3}});
+    auto description = make_body("quarter ring", {a, b}, {{4, 3}});
     description.degree = degree;
     description.young_modulus = 2.6;
     description.poisson_ratio = .3;
@@ -237,7 +237,7 @@ TEST(ElasticityRefined, ADiscPressedBetweenItsSidesIsInBalance)
 {
   for (const unsigned int degree : {1u, 2u, 3u})
   {
-    auto description = make_body(Shape::quarter_disc, {2.}, {{4, 1}});
+    auto description = make_body("quarter disc", {2.}, {{4, 1}});
     description.degree = degree;
     description.placement = Placement(1., false, 30., Vector2(1., 2.));
     set_conditions(description, "left: normal displacement: 0; bottom: normal displacement: 0; "

@@ -11,7 +11,7 @@ namespace
   /// Curved top, graded cells, turned and mirrored.
   BodyDescription distorted(const Variant &variant)
   {
-    auto body = make_body(Shape::rectangle_curved_top, {3., 1.}, {{4, 3}});
+    auto body = make_body("rectangle with curved top", {3., 1.}, {{4, 3}});
     body.top = Expression("1 + 0.2*x - 0.05*x^2", {}, "test");
     body.grading = {{2., .5}};
     body.cell_type = variant.type;
@@ -87,7 +87,7 @@ TEST(ElasticityStiffness, ReproducesLinearDisplacementsOnDiscs)
   // one.
   for (unsigned int degree = 1; degree <= 2; ++degree)
   {
-    auto description = make_body(Shape::disc, {2.}, {{4, 1}});
+    auto description = make_body("disc", {2.}, {{4, 1}});
     description.degree = degree;
     set_conditions(description, "outer: displacement: 1e-2*(1 + 2*x - y), 1e-2*(3 + x + 4*y)");
     FiniteElementBody body(description, {});
@@ -103,7 +103,7 @@ TEST(ElasticityStiffness, UniaxialStrainBetweenRollersIsExact)
 {
   for (const Variant &variant : variants)
   {
-    auto description = make_body(Shape::rectangle, {3., 2.}, {{4, 3}});
+    auto description = make_body("rectangle", {3., 2.}, {{4, 3}});
     description.grading = {{3., .3}};
     description.cell_type = variant.type;
     description.degree = variant.degree;

@@ -147,12 +147,11 @@ TEST(ElasticitySupports, RollersWithNormalsThroughOnePointLeaveARotation)
 
 TEST(ElasticitySupports, ARoundBodyOnItsArcCanTurn)
 {
-  for (const Shape shape :
-       {Shape::disc, Shape::half_disc, Shape::quarter_disc, Shape::ring, Shape::quarter_ring})
+  for (const std::string shape : {"disc", "half disc", "quarter disc", "ring", "quarter ring"})
     for (unsigned int degree = 1; degree <= 3; ++degree)
       for (const unsigned int cells : {2u, 4u, 8u})
       {
-        const bool is_ring = shape == Shape::ring || shape == Shape::quarter_ring;
+        const bool is_ring = shape == "ring" || shape == "quarter ring";
         auto description =
             make_body(shape, is_ring ? std::vector<double>{1., 2.} : std::vector<double>{2.}, {{cells, 1}});
         description.degree = degree;
@@ -160,7 +159,7 @@ TEST(ElasticitySupports, ARoundBodyOnItsArcCanTurn)
         set_conditions(description, "outer: normal displacement: 0");
         const FiniteElementBody body(description, {});
         EXPECT_EQ(body.free_rigid_motions().size(), 1u)
-            << static_cast<int>(shape) << ", degree " << degree << ", cells " << cells;
+            << shape << ", degree " << degree << ", cells " << cells;
         if (body.free_rigid_motions().size() == 1)
         {
           EXPECT_EQ(body.free_rigid_motions()[0], "rotation about (3, 4)");
@@ -170,7 +169,7 @@ TEST(ElasticitySupports, ARoundBodyOnItsArcCanTurn)
 
 TEST(ElasticitySupports, PlacesFarFromTheOriginChangeNothing)
 {
-  auto description = make_body(Shape::rectangle, {4., 1.}, {{64, 16}});
+  auto description = make_body("rectangle", {4., 1.}, {{64, 16}});
   for (const double shift : {0., 1000., 1e5})
   {
     description.placement = Placement(1., false, 37., Vector2(shift, -shift));

@@ -34,7 +34,7 @@ namespace abut
   /// Graded, turned and mirrored, three by two units in six cells.
   inline BodyDescription turned_plate(const CellType type, const unsigned int degree, const double scale)
   {
-    auto body = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
+    auto body = make_body("rectangle", {3., 2.}, {{3, 2}});
     body.grading = {{2., .5}};
     body.cell_type = type;
     body.degree = degree;

@@ -29,7 +29,7 @@ namespace
 
 TEST(MeshCheckerboard, IsAllOfACheckerboardAndNothingOfAPlane)
 {
-  const auto mesh = make_mesh(make_body(Shape::rectangle, {1., 1.}, {{n, n}}));
+  const auto mesh = make_mesh(make_body("rectangle", {1., 1.}, {{n, n}}));
   const dealii::Triangulation<2> &triangulation = mesh->triangulation;
   const Eigen::VectorXd board = cell_values(triangulation, alternating);
   const Eigen::VectorXd plane =
@@ -40,7 +40,7 @@ TEST(MeshCheckerboard, IsAllOfACheckerboardAndNothingOfAPlane)
 
 TEST(MeshCheckerboard, IsOfFourthOrderInside)
 {
-  const auto mesh = make_mesh(make_body(Shape::rectangle, {1., 1.}, {{n, n}}));
+  const auto mesh = make_mesh(make_body("rectangle", {1., 1.}, {{n, n}}));
   const dealii::Triangulation<2> &triangulation = mesh->triangulation;
   const auto field = [](const double x, const double y) { return std::sin(x) * std::cos(y); };
   const Eigen::VectorXd found = checkerboard(triangulation, cell_values(triangulation, field));
@@ -55,7 +55,7 @@ TEST(MeshCheckerboard, IsOfFourthOrderInside)
 // A split cell: its neighbours see fewer vertices where four cells meet, but no wrong ones.
 TEST(MeshCheckerboard, NextToHangingNodesAPlaneHasNone)
 {
-  const auto mesh = make_mesh(make_body(Shape::rectangle, {1., 1.}, {{4, 4}}));
+  const auto mesh = make_mesh(make_body("rectangle", {1., 1.}, {{4, 4}}));
   dealii::Triangulation<2> &triangulation = mesh->triangulation;
   triangulation.begin_active()->set_refine_flag();
   triangulation.execute_coarsening_and_refinement();

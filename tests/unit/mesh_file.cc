@@ -10,7 +10,7 @@ namespace
 {
   BodyDescription body_from(const std::string &path)
   {
-    BodyDescription body = make_body(Shape::mesh_file, {}, {{1, 1}});
+    BodyDescription body = make_body("mesh file", {}, {{1, 1}});
     body.mesh_path = path;
     body.mesh_file = path.substr(path.rfind('/') + 1);
     return body;

@@ -13,7 +13,7 @@ namespace
 
   std::unique_ptr<BodyMesh> unit_square(const CellType type, const unsigned int n)
   {
-    auto body = make_body(Shape::rectangle, {1., 1.}, {{n, n}});
+    auto body = make_body("rectangle", {1., 1.}, {{n, n}});
     body.cell_type = type;
     return make_mesh(body);
   }

@@ -18,7 +18,7 @@ namespace
 
 TEST(MeshMeasures, QualityOfSquares)
 {
-  auto body = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
+  auto body = make_body("rectangle", {3., 2.}, {{3, 2}});
   // Each of the four triangles has legs 1, 1: circles of diameters sqrt(2) and 2 - sqrt(2).
   auto quality = mesh_quality(make_mesh(body)->triangulation);
   EXPECT_NEAR(quality.h_max, std::sqrt(2.), 1e-14);
@@ -33,7 +33,7 @@ TEST(MeshMeasures, QualityOfSquares)
 TEST(MeshMeasures, QualityOfAThreeFourRectangle)
 {
   // Legs 3, 4, hypotenuse 5: circles of diameters 5 and 2.
-  const auto mesh = make_mesh(make_body(Shape::rectangle, {3., 4.}, {{1, 1}}));
+  const auto mesh = make_mesh(make_body("rectangle", {3., 4.}, {{1, 1}}));
   const auto quality = mesh_quality(mesh->triangulation);
   EXPECT_NEAR(quality.h_max, 5., 1e-14);
   EXPECT_NEAR(quality.regularity, 2.5, 1e-14);
@@ -43,7 +43,7 @@ TEST(MeshMeasures, QualityTakesTheWorstTriangleOfACell)
 {
   // Over [0, 1] the top rises from 1 to 2. By hand: corners (0,0), (1,0), (0,1), (1,2). The largest
   // circumscribed circle belongs to (0,0), (0,1), (1,2): sides 1, sqrt(2), sqrt(5), area 1/2.
-  auto body = make_body(Shape::rectangle_curved_top, {1., 1.}, {{1, 1}});
+  auto body = make_body("rectangle with curved top", {1., 1.}, {{1, 1}});
   body.top = Expression("1 + x", {}, "test");
   const auto quality = mesh_quality(make_mesh(body)->triangulation);
   EXPECT_NEAR(quality.h_max, std::sqrt(10.), 1e-14);
@@ -52,7 +52,7 @@ TEST(MeshMeasures, QualityTakesTheWorstTriangleOfACell)
 
 TEST(MeshMeasures, RefiningHalvesTheSizeAndKeepsTheShape)
 {
-  const auto mesh = make_mesh(make_body(Shape::rectangle, {3., 4.}, {{2, 2}}));
+  const auto mesh = make_mesh(make_body("rectangle", {3., 4.}, {{2, 2}}));
   const auto coarse = mesh_quality(mesh->triangulation);
   mesh->triangulation.refine_global(1);
   const auto fine = mesh_quality(mesh->triangulation);
@@ -62,29 +62,29 @@ TEST(MeshMeasures, RefiningHalvesTheSizeAndKeepsTheShape)
 
 TEST(MeshMeasures, UnknownSidesAreRefusedWithTheKnownOnes)
 {
-  const auto mesh = make_mesh(make_body(Shape::quarter_disc, {1.}, {{2, 1}}));
+  const auto mesh = make_mesh(make_body("quarter disc", {1.}, {{2, 1}}));
   EXPECT_NO_THROW(boundary_id(*mesh, "outer"));
   expect_refused([&] { boundary_id(*mesh, "top"); }, "'top'; its sides are bottom, left, outer");
 }
 
 TEST(MeshMeasures, DepthOfShapes)
 {
-  auto body = make_body(Shape::rectangle, {4., 1.5}, {{4, 3}});
+  auto body = make_body("rectangle", {4., 1.5}, {{4, 3}});
   body.placement = Placement(2., true, 37., {10., -20.});
   EXPECT_NEAR(depth(body, "top"), 3., 1e-12);
   EXPECT_NEAR(depth(body, "left"), 8., 1e-12);
   body.contact_depth = 0.7;
   EXPECT_NEAR(depth(body, "top"), 1.4, 1e-14);
 
-  EXPECT_NEAR(depth(make_body(Shape::disc, {3.}, {{2, 1}}), "outer"), 3., 1e-14);
-  EXPECT_NEAR(depth(make_body(Shape::half_disc, {3.}, {{2, 1}}), "bottom"), 3., 1e-14);
-  EXPECT_NEAR(depth(make_body(Shape::quarter_ring, {3., 4.5}, {{2, 1}}), "inner"), 1.5, 1e-14);
+  EXPECT_NEAR(depth(make_body("disc", {3.}, {{2, 1}}), "outer"), 3., 1e-14);
+  EXPECT_NEAR(depth(make_body("half disc", {3.}, {{2, 1}}), "bottom"), 3., 1e-14);
+  EXPECT_NEAR(depth(make_body("quarter ring", {3., 4.5}, {{2, 1}}), "inner"), 1.5, 1e-14);
 }
 
 TEST(MeshMeasures, DepthUnderACurvedTop)
 {
   // The top is symmetric: its mean normal is (0, 1), its highest point 1.25.
-  auto body = make_body(Shape::rectangle_curved_top, {1., 1.}, {{4, 2}});
+  auto body = make_body("rectangle with curved top", {1., 1.}, {{4, 2}});
   body.top = Expression("1 + x*(1 - x)", {}, "test");
   EXPECT_NEAR(depth(body, "top"), 1.25, 1e-13);
 }
@@ -93,7 +93,7 @@ TEST(MeshMeasures, DepthBehindAClosedSideIsHalfTheDiameter)
 {
   for (const CellType cell_type : {CellType::quadrilaterals, CellType::triangles})
   {
-    auto body = make_body(Shape::rectangle, {3., 2.}, {{3, 2}});
+    auto body = make_body("rectangle", {3., 2.}, {{3, 2}});
     body.cell_type = cell_type;
     body.placement = Placement(1., false, 37., {0., 0.});
     const auto mesh = make_mesh(body);

@@ -14,7 +14,7 @@ namespace abut
 {
   inline const double pi = std::acos(-1.);
 
-  inline BodyDescription make_body(const Shape shape, const std::vector<double> &size,
+  inline BodyDescription make_body(const std::string &shape, const std::vector<double> &size,
                                    const std::array<unsigned int, 2> &cells)
   {
     BodyDescription body;

@@ -111,7 +111,7 @@ TEST(Scene, mesh_files_lie_beside_the_parameter_file)
 {
   const SceneFile file(two_squares);
   const auto body = file.read({"Body upper/Mesh file=meshes/gear.msh"}).bodies[0];
-  EXPECT_EQ(body.shape, Shape::mesh_file);
+  EXPECT_EQ(body.shape, "mesh file");
   EXPECT_EQ(body.mesh_file, "meshes/gear.msh");
   EXPECT_EQ(body.mesh_path, file.directory() + "/meshes/gear.msh");
 }

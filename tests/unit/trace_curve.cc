@@ -63,7 +63,7 @@ TEST(TraceCurve, SidesOfRectanglesRunWithTheBodyOnTheLeft)
       for (const bool mirrored : {false, true})
         for (const Expected &expected : sides)
         {
-          auto body = make_body(Shape::rectangle, {4., 1.}, {{5, 3}});
+          auto body = make_body("rectangle", {4., 1.}, {{5, 3}});
           body.cell_type = type;
           body.degree = degree;
           body.placement = Placement(2., mirrored, 30., Vector2(5., -3.));
@@ -92,7 +92,7 @@ TEST(TraceCurve, ADiscIsClosed)
   constexpr double radius = 1.5;
   for (unsigned int degree = 1; degree <= 3; ++degree)
   {
-    auto body = make_body(Shape::disc, {radius}, {{16, 2}});
+    auto body = make_body("disc", {radius}, {{16, 2}});
     body.degree = degree;
     body.placement = Placement(1., false, 0., Vector2(10., 20.));
     const SideOfMesh side(body, "outer");
@@ -114,7 +114,7 @@ TEST(TraceCurve, ADiscIsClosed)
 
 TEST(TraceCurve, TheHoleOfARingHasItsNormalsInward)
 {
-  auto body = make_body(Shape::ring, {1., 2.}, {{8, 2}});
+  auto body = make_body("ring", {1., 2.}, {{8, 2}});
   const SideOfMesh side(body, "inner");
   for (std::size_t i = 0; i < side.trace.n_nodes(); ++i)
     EXPECT_LT((side.trace.node_normals()[i] + side.trace.node_points()[i]).norm(), 1e-12);

@@ -3,6 +3,8 @@
 
 #include <abut/base/vocabulary.h>
 
+#include <algorithm>
+
 namespace abut
 {
   /**
@@ -26,11 +28,25 @@ namespace abut
 
     void add(const Entry &entry)
     {
-      entries_.push_back(entry);
+      const auto place = std::lower_bound(entries_.begin(), entries_.end(), entry,
+                                          [](const Entry &a, const Entry &b) { return a.name < b.name; });
+      entries_.insert(place, entry);
       Vocabulary::of(Entry::parameter).add({entry.name, entry.documentation});
     }
 
+    /// In alphabetical order.
     const std::vector<Entry> &entries() const { return entries_; }
+
+    /// Those with a property, joined by `separator`: for messages.
+    template <typename Property>
+    std::string names_with(const Property &property, const std::string &separator = ", ") const
+    {
+      std::string names;
+      for (const Entry &entry : entries_)
+        if (property(entry))
+          names += (names.empty() ? "" : separator) + entry.name;
+      return names;
+    }
 
     /// Throws UserError for a word that nobody has registered.
     const Entry &find(const std::string &name) const

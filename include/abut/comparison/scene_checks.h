@@ -33,8 +33,8 @@ namespace abut
     /// `side: displacement: exact`.
     void require_exact(const BodyDescription &body, const std::string &side) const;
     void require_no_body_force(const BodyDescription &body) const;
-    /// One body of a shape and no contact; `word`: the shape's name.
-    void require_single_body(const Scene &scene, Shape shape, const std::string &word) const;
+    /// One body of a shape and no contact.
+    void require_single_body(const Scene &scene, const std::string &shape) const;
     /// Two bodies and a contact between them.
     void require_pair(const Scene &scene) const;
     /// No conditions but the `n` looked at.

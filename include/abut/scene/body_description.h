@@ -16,25 +16,6 @@ namespace dealii
 
 namespace abut
 {
-  enum class Shape
-  {
-    rectangle,            ///< Size = width, height; corner at the origin. Sides left, right, bottom, top
-    rectangle_curved_top, ///< Size = width, height; the top is y = Top(x). Sides as above
-    disc,                 ///< Size = radius; centre at the origin. Side outer
-    half_disc,            ///< Size = radius; y >= 0. Sides outer, bottom
-    quarter_disc,         ///< Size = radius; x, y >= 0. Sides outer, left, bottom
-    ring,                 ///< Size = inner, outer radius. Sides inner, outer
-    l_shape, ///< Size = a: [-a, a]^2 without x > 0, y < 0. Sides left, right, bottom, top, corner (the notch)
-    quarter_ring, ///< Size = inner, outer radius; x, y >= 0. Sides inner, outer, left, bottom
-    mesh_file     ///< a Gmsh file; sides are its physical ids
-  };
-
-  /// Whether some sides of a shape are curves (those of mesh files are polygons).
-  inline bool has_curves(const Shape shape)
-  {
-    return shape != Shape::rectangle && shape != Shape::l_shape && shape != Shape::mesh_file;
-  }
-
   enum class CellType
   {
     quadrilaterals,
@@ -48,8 +29,8 @@ namespace abut
   struct BodyDescription
   {
     std::string name;
-    Shape shape = Shape::rectangle;
-    std::vector<double> size;                  ///< see Shape
+    std::string shape = "rectangle";           ///< a word with a ShapeEntry
+    std::vector<double> size;                  ///< see ShapeEntry::size
     std::array<unsigned int, 2> cells{{1, 1}}; ///< rectangle: along x, y. Disc and ring: along a quarter arc,
                                                ///< radially. L-shape: of each of its squares along x, y
     std::array<double, 2> grading{
