@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
 #include <abut/scene/preamble.h>
-#include <abut/scene/section.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -48,34 +47,36 @@ namespace abut
     }
   } // namespace
 
-  void Preamble::declare(dealii::ParameterHandler &prm)
+  void Preamble::declare_lists(dealii::ParameterHandler &prm)
   {
     namespace Patterns = dealii::Patterns;
     prm.declare_entry("Bodies", "", Patterns::List(Patterns::Anything()),
                       "Names of the bodies, separated by commas; each has a section `Body <name>`.");
     prm.declare_entry("Contacts", "", Patterns::List(Patterns::Anything()),
                       "Names of the pairs of sides that may touch; each has a section `Contact <name>`.");
-    const Section section(prm, "Constants");
+  }
+
+  void Preamble::declare_constants(dealii::ParameterHandler &prm)
+  {
+    namespace Patterns = dealii::Patterns;
     prm.declare_entry("Names", "", Patterns::List(Patterns::Anything()),
                       "Names of constants that every formula of the file may use; pi is known.");
     prm.declare_entry("Values", "", Patterns::List(Patterns::Double()),
                       "Their values, in the same order. The user's units.");
   }
 
-  Preamble Preamble::read(const ParameterFile &input)
+  Preamble Preamble::parse(const ParameterSections &sections)
   {
-    dealii::ParameterHandler prm;
-    declare(prm);
-    input.parse_into(prm, true);
     Preamble preamble;
-    preamble.bodies = dealii::Utilities::split_string_list(prm.get("Bodies"));
-    preamble.contacts = dealii::Utilities::split_string_list(prm.get("Contacts"));
+    sections.parse("", [&](const dealii::ParameterHandler &prm) {
+      preamble.bodies = dealii::Utilities::split_string_list(prm.get("Bodies"));
+      preamble.contacts = dealii::Utilities::split_string_list(prm.get("Contacts"));
+    });
     if (preamble.bodies.empty())
       throw UserError("Bodies: received an empty list, a scene needs at least one name");
     check_names(preamble.bodies, "Bodies");
     check_names(preamble.contacts, "Contacts");
-    const Section section(prm, "Constants");
-    preamble.constants = parse_constants(prm);
+    preamble.constants = sections.parse("Constants", parse_constants);
     return preamble;
   }
 } // namespace abut

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/text.h>
+#include <abut/scene/parameter_file.h>
 #include <abut/scene/preamble.h>
 #include <abut/scene/scene.h>
 #include <abut/scene/scheme_checks.h>
-#include <abut/scene/section.h>
 #include <abut/scene/shape_entry.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
+#include <set>
 
 namespace abut
 {
@@ -16,20 +16,6 @@ namespace abut
   {
     using dealii::ParameterHandler;
     using Names = std::vector<std::string>;
-
-    template <typename Declare>
-    void declare_section(ParameterHandler &prm, const std::string &name, const Declare &declare)
-    {
-      const Section section(prm, name);
-      declare(prm);
-    }
-
-    template <typename Parse>
-    auto parse_section(ParameterHandler &prm, const std::string &name, const Parse &parse)
-    {
-      const Section section(prm, name);
-      return parse();
-    }
 
     void declare_output(ParameterHandler &prm)
     {
@@ -45,76 +31,80 @@ namespace abut
                         "Polynomial degree of the bodies that name none of their own.");
     }
 
-    void declare_all(ParameterHandler &prm, const Names &bodies, const Names &contacts)
+    void declare_outside(ParameterHandler &prm)
     {
-      Preamble::declare(prm);
+      Preamble::declare_lists(prm);
       prm.declare_entry(
           "Tolerance", "0", dealii::Patterns::Double(0.),
           "Relative error asked for in the energy norm, no unit; 0: the sections below are followed "
           "literally. Only 0 in this version.");
-      declare_section(prm, "Output", declare_output);
-      declare_section(prm, "Discretisation", declare_discretisation_defaults);
+    }
+
+    /// What has to be known before the sections of bodies and contacts can be declared.
+    const std::vector<SectionDeclaration> first_sections = {{"", declare_outside},
+                                                            {"Constants", Preamble::declare_constants}};
+
+    std::vector<SectionDeclaration> other_sections(const Names &bodies, const Names &contacts)
+    {
+      std::vector<SectionDeclaration> sections = {{"Output", declare_output},
+                                                  {"Discretisation", declare_discretisation_defaults}};
       for (const auto &name : bodies)
-        declare_section(prm, "Body " + name, BodyDescription::declare);
+        sections.push_back({"Body " + name, BodyDescription::declare});
       for (const auto &name : contacts)
-        declare_section(prm, "Contact " + name, ContactDescription::declare);
-      declare_section(prm, "Decomposition", DecompositionParameters::declare);
-      declare_section(prm, "Adaptation", AdaptationParameters::declare);
-      declare_section(prm, "Reference", ReferenceParameters::declare);
-      declare_section(prm, "Study", StudyParameters::declare);
+        sections.push_back({"Contact " + name, ContactDescription::declare});
+      sections.push_back({"Decomposition", DecompositionParameters::declare});
+      sections.push_back({"Adaptation", AdaptationParameters::declare});
+      sections.push_back({"Reference", ReferenceParameters::declare});
+      sections.push_back({"Study", StudyParameters::declare});
+      return sections;
     }
 
-    /// Whether a file that can be read with all its sections declared has the section of this body.
-    bool has_body_section(const ParameterFile &input, const Preamble &preamble, const std::string &body)
+    void check_body_sections(const std::vector<ParameterLine> &lines, const Names &bodies)
     {
-      Names others = preamble.bodies;
-      others.erase(std::find(others.begin(), others.end(), body));
-      ParameterHandler prm;
-      declare_all(prm, others, preamble.contacts);
-      try
-      {
-        input.parse_into(prm, false);
-        return false;
-      }
-      catch (const UserError &)
-      {
-        return true;
-      }
-    }
-
-    void parse_bodies(ParameterHandler &prm, const ParameterFile &input, const Preamble &preamble,
-                      Scene &scene)
-    {
-      const auto degree = parse_section(prm, "Discretisation",
-                                        [&] { return static_cast<unsigned int>(prm.get_integer("Degree")); });
-      for (const auto &name : preamble.bodies)
-      {
-        if (!has_body_section(input, preamble, name))
+      std::set<std::string> entered;
+      for (const ParameterLine &line : lines)
+        entered.insert(line.section());
+      for (const auto &name : bodies)
+        if (entered.count("Body " + name) == 0)
           throw UserError("Bodies: `" + name + "` needs a section `Body " + name + "`, there is none");
-        scene.bodies.push_back(parse_section(prm, "Body " + name, [&] {
-          return BodyDescription::parse(prm, name, degree, preamble.constants, input.directory());
-        }));
-      }
     }
 
-    void parse_rest(ParameterHandler &prm, const Preamble &preamble, Scene &scene)
+    void parse_bodies(const ParameterSections &sections, const Preamble &preamble,
+                      const std::string &directory, Scene &scene)
+    {
+      const auto degree = sections.parse("Discretisation", [](const ParameterHandler &prm) {
+        return static_cast<unsigned int>(prm.get_integer("Degree"));
+      });
+      for (const auto &name : preamble.bodies)
+        scene.bodies.push_back(sections.parse("Body " + name, [&](ParameterHandler &prm) {
+          return BodyDescription::parse(prm, name, degree, preamble.constants, directory);
+        }));
+    }
+
+    void check_tolerance(const ParameterHandler &prm)
     {
       if (prm.get_double("Tolerance") != 0.)
         throw UserError("Tolerance: received `" + prm.get("Tolerance") +
                         "`, allowed is 0: tolerance-driven runs are not available in this version");
-      scene.output_directory = parse_section(prm, "Output", [&] { return prm.get("Directory"); });
+    }
+
+    void parse_rest(const ParameterSections &sections, const Preamble &preamble, Scene &scene)
+    {
+      sections.parse("", check_tolerance);
+      scene.output_directory =
+          sections.parse("Output", [](const ParameterHandler &prm) { return prm.get("Directory"); });
       if (scene.output_directory.empty())
         scene.output_directory = "results/" + std::filesystem::path(scene.file).stem().string();
       for (const auto &name : preamble.contacts)
-        scene.contacts.push_back(parse_section(prm, "Contact " + name, [&] {
+        scene.contacts.push_back(sections.parse("Contact " + name, [&](ParameterHandler &prm) {
           return ContactDescription::parse(prm, name, preamble.constants);
         }));
-      scene.decomposition =
-          parse_section(prm, "Decomposition", [&] { return DecompositionParameters::parse(prm); });
-      scene.adaptation = parse_section(prm, "Adaptation", [&] { return AdaptationParameters::parse(prm); });
-      scene.reference = parse_section(prm, "Reference",
-                                      [&] { return ReferenceParameters::parse(prm, preamble.constants); });
-      scene.study = parse_section(prm, "Study", [&] { return StudyParameters::parse(prm); });
+      scene.decomposition = sections.parse("Decomposition", DecompositionParameters::parse);
+      scene.adaptation = sections.parse("Adaptation", AdaptationParameters::parse);
+      scene.reference = sections.parse("Reference", [&](ParameterHandler &prm) {
+        return ReferenceParameters::parse(prm, preamble.constants);
+      });
+      scene.study = sections.parse("Study", StudyParameters::parse);
     }
 
     /// Whether a body is given with curved sides but meshed with straight ones.
@@ -219,39 +209,42 @@ namespace abut
     }
 
     /// The parameters as they were used, free of what depends on the file's name and place.
-    std::string used_parameters(ParameterHandler &prm, const Scene &scene)
+    std::string used_parameters(const ParameterSections &sections, const Scene &scene)
     {
       const auto set = [&](const std::string &section, const std::string &entry, const std::string &value) {
-        const Section scope(prm, section);
-        prm.set(entry, value);
+        sections.parse(section, [&](ParameterHandler &prm) { prm.set(entry, value); });
       };
       set("Output", "Directory", scene.output_directory);
       for (const auto &body : scene.bodies)
         if (!body.mesh_file.empty())
           set("Body " + body.name, "Mesh file", std::filesystem::absolute(body.mesh_path).string());
-      std::ostringstream text;
-      prm.print_parameters(text, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
-      return text.str();
+      return sections.text();
     }
 
     Scene read_scene(const ParameterFile &input)
     {
-      const Preamble preamble = Preamble::read(input);
-      ParameterHandler prm;
-      declare_all(prm, preamble.bodies, preamble.contacts);
-      input.parse_into(prm, false);
-
       Scene scene;
       scene.file = input.name();
-      scene.repeated = input.repeated();
-      parse_bodies(prm, input, preamble, scene);
-      parse_rest(prm, preamble, scene);
+      std::vector<ParameterLine> lines = input.lines();
+      scene.repeated = repeated_parameters(lines);
+      lines.insert(lines.end(), input.overrides().begin(), input.overrides().end());
+
+      ParameterSections sections;
+      sections.declare(first_sections);
+      sections.set(lines, true);
+      const Preamble preamble = Preamble::parse(sections);
+      sections.declare(other_sections(preamble.bodies, preamble.contacts));
+      sections.set(lines, false);
+      check_body_sections(lines, preamble.bodies);
+
+      parse_bodies(sections, preamble, input.directory(), scene);
+      parse_rest(sections, preamble, scene);
       check_contacts(scene);
       check_resultants(scene);
       check_scheme(scene);
       check_adaptation(scene);
       check_exact_conditions(scene);
-      scene.parameters = used_parameters(prm, scene);
+      scene.parameters = used_parameters(sections, scene);
       return scene;
     }
   } // namespace
@@ -276,7 +269,17 @@ namespace abut
   void Scene::print_parameters(std::ostream &out)
   {
     ParameterHandler prm;
-    declare_all(prm, {"<name>"}, {"<name>"});
+    std::vector<SectionDeclaration> sections = first_sections;
+    for (const SectionDeclaration &section : other_sections({"<name>"}, {"<name>"}))
+      sections.push_back(section);
+    for (const auto &[name, declare] : sections)
+      if (name.empty())
+        declare(prm);
+      else
+      {
+        const Section scope(prm, name);
+        declare(prm);
+      }
     prm.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
   }
 

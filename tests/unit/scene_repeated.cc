@@ -9,22 +9,22 @@ namespace
 
   TEST(RepeatedParameters, AreFoundInTheirSections)
   {
-    const auto found = repeated_parameters("set Bodies = a, b\n"
-                                           "subsection Body a\n"
-                                           "  set Size = 1, 1 # set Size = 2, 2\n"
-                                           "  set Cells = 2, \\\n"
-                                           "              2\n"
-                                           "end\n"
-                                           "subsection Body b\n"
-                                           "  set Size = 1, 1\n"
-                                           "end\n"
-                                           "# set Bodies = c\n"
-                                           "subsection  Body  a\n"
-                                           "  set Young   modulus = 1\n"
-                                           "  set Cells = 3, 3\n"
-                                           "  set Young modulus=2\n"
-                                           "  set Young modulus = 3\n"
-                                           "end\n");
+    const auto found = repeated_parameters(read_parameter_lines("set Bodies = a, b\n"
+                                                                "subsection Body a\n"
+                                                                "  set Size = 1, 1 # set Size = 2, 2\n"
+                                                                "  set Cells = 2, \\\n"
+                                                                "              2\n"
+                                                                "end\n"
+                                                                "subsection Body b\n"
+                                                                "  set Size = 1, 1\n"
+                                                                "end\n"
+                                                                "# set Bodies = c\n"
+                                                                "subsection  Body  a\n"
+                                                                "  set Young   modulus = 1\n"
+                                                                "  set Cells = 3, 3\n"
+                                                                "  set Young modulus=2\n"
+                                                                "  set Young modulus = 3\n"
+                                                                "end\n"));
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].name, "Body a/Cells");
     EXPECT_EQ(found[0].first_line, 4u);
@@ -36,7 +36,8 @@ namespace
 
   TEST(RepeatedParameters, AFileWithoutAny)
   {
-    EXPECT_TRUE(repeated_parameters("").empty());
-    EXPECT_TRUE(repeated_parameters("end\nset A = 1\nsubsection s\nset A = 1\nend\n").empty());
+    EXPECT_TRUE(repeated_parameters({}).empty());
+    EXPECT_TRUE(
+        repeated_parameters(read_parameter_lines("set A = 1\nsubsection s\nset A = 1\nend\n")).empty());
   }
 } // namespace

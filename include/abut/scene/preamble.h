@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/scene/expression.h>
-#include <abut/scene/parameter_file.h>
+#include <abut/scene/parameter_sections.h>
 
 #include <string>
 #include <vector>
@@ -16,8 +16,11 @@ namespace abut
     std::vector<std::string> contacts;
     Constants constants;
 
-    static void declare(dealii::ParameterHandler &prm);
-    /// Passes over everything else in the file. Throws UserError.
-    static Preamble read(const ParameterFile &input);
+    /// Of the section Constants.
+    static void declare_constants(dealii::ParameterHandler &prm);
+    /// Of the entries outside all sections.
+    static void declare_lists(dealii::ParameterHandler &prm);
+    /// From the declared sections. Throws UserError.
+    static Preamble parse(const ParameterSections &sections);
   };
 } // namespace abut

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
-#include <vector>
+#include <abut/scene/parameter_lines.h>
 
 namespace abut
 {
@@ -13,6 +12,7 @@ namespace abut
     unsigned int first_line = 0, last_line = 0;
   };
 
-  /// Those of a parameter file's text, each once. Sections may be entered more than once.
-  std::vector<RepeatedParameter> repeated_parameters(const std::string &text);
+  /// Those of a parameter file itself, without what it includes, each once. Sections may be entered more than
+  /// once.
+  std::vector<RepeatedParameter> repeated_parameters(const std::vector<ParameterLine> &lines);
 } // namespace abut
