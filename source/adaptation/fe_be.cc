@@ -53,4 +53,21 @@ namespace abut
   {
     check_boundary_elements(as_finite_elements(body, asked));
   }
+
+  namespace
+  {
+    EstimatorEntry fe_be_entry()
+    {
+      EstimatorEntry entry{"fe-be", "against boundary elements on the edges of the mesh, which get the same "
+                                    "data (the paper); bodies whose cells have straight edges (degree 1 on "
+                                    "curved shapes), uniform body forces, no forces at points"};
+      entry.make = [](const AdaptationParameters &parameters) -> std::unique_ptr<Indicator> {
+        return std::make_unique<FEBEIndicator>(parameters.boundary_solution);
+      };
+      entry.has_boundary_elements = true;
+      return entry;
+    }
+
+    const Registered<EstimatorEntry> registered_fe_be(fe_be_entry());
+  } // namespace
 } // namespace abut

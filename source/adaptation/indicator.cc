@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/adaptation/fe_be.h>
-#include <abut/adaptation/kelly.h>
-#include <abut/adaptation/spr.h>
-#include <abut/adaptation/zz.h>
+#include <abut/adaptation/indicator.h>
 
 #include <cmath>
 
 namespace abut
 {
-  std::unique_ptr<Indicator> make_indicator(const EstimatorKind kind,
-                                            const BoundarySolution boundary_solution)
+  namespace
   {
-    switch (kind)
-    {
-    case EstimatorKind::none:
-      break;
-    case EstimatorKind::kelly:
-      return std::make_unique<KellyIndicator>();
-    case EstimatorKind::zz:
-      return std::make_unique<ZZIndicator>();
-    case EstimatorKind::spr:
-      return std::make_unique<SPRIndicator>();
-    case EstimatorKind::fe_be:
-      return std::make_unique<FEBEIndicator>(boundary_solution);
-    }
-    return {};
+    const Registered<EstimatorEntry> registered_none({"none", "nothing is estimated"});
+  } // namespace
+
+  std::unique_ptr<Indicator> make_indicator(const AdaptationParameters &parameters)
+  {
+    const EstimatorEntry &entry = Registry<EstimatorEntry>::get().find(parameters.estimator);
+    return entry.estimates() ? entry.make(parameters) : nullptr;
   }
 
   Eigen::VectorXd relative_errors(const CellErrors &errors, const Normalisation normalisation)

@@ -222,4 +222,19 @@ namespace abut
     }
     return errors;
   }
+
+  namespace
+  {
+    EstimatorEntry kelly_entry()
+    {
+      EstimatorEntry entry{"kelly", "jumps of the traction between cells"};
+      entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
+        return std::make_unique<KellyIndicator>();
+      };
+      entry.worth = {{.7, 1.1}, {.8, 1.6}, {.7, 1.8}};
+      return entry;
+    }
+
+    const Registered<EstimatorEntry> registered_kelly(kelly_entry());
+  } // namespace
 } // namespace abut

@@ -205,4 +205,21 @@ namespace abut
     }
     return compare(solution, better);
   }
+
+  namespace
+  {
+    EstimatorEntry spr_entry()
+    {
+      EstimatorEntry entry{
+          "spr",
+          "against polynomials fitted to the stress around each vertex and to the known boundary tractions"};
+      entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
+        return std::make_unique<SPRIndicator>();
+      };
+      entry.worth = {{.9, 1.9}, {1.1, 3.1}, {2.1, 6.6}};
+      return entry;
+    }
+
+    const Registered<EstimatorEntry> registered_spr(spr_entry());
+  } // namespace
 } // namespace abut

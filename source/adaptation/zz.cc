@@ -65,4 +65,19 @@ namespace abut
     }
     return compare(solution, better);
   }
+
+  namespace
+  {
+    EstimatorEntry zz_entry()
+    {
+      EstimatorEntry entry{"zz", "against nodal averages of the stress, not for values at degree 2"};
+      entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
+        return std::make_unique<ZZIndicator>();
+      };
+      entry.worth = {{.7, 1.1}, {.3, .8}, {.4, .9}};
+      return entry;
+    }
+
+    const Registered<EstimatorEntry> registered_zz(zz_entry());
+  } // namespace
 } // namespace abut

@@ -8,9 +8,9 @@ namespace abut
   {
     std::string of_estimator(const AdaptationParameters &parameters)
     {
-      if (parameters.estimator != EstimatorKind::fe_be)
-        return "only Estimator = fe-be bounds the error, this one compares the finite elements with "
-               "themselves";
+      if (!Registry<EstimatorEntry>::get().find(parameters.estimator).has_boundary_elements)
+        return "only Estimator = " + estimators_with_boundary_elements() +
+               " bounds the error, this one compares the finite elements with themselves";
       if (parameters.combined)
         return "in the combined algorithm the boundary elements answer the pressures before the last step";
       if (parameters.boundary_solution == BoundarySolution::finite_element_trace ||

@@ -22,7 +22,7 @@ namespace abut
     }
     const Stopwatch watch(mesh_time_);
     model_ = std::make_unique<Model>(scene, exact_.get());
-    indicator_ = make_indicator(scene.adaptation.estimator, scene.adaptation.boundary_solution);
+    indicator_ = make_indicator(scene.adaptation);
     if (indicator_)
       for (const auto &body : bodies())
         indicator_->check(*body);

@@ -49,7 +49,7 @@ namespace abut
     if (!indicator_)
       return;
     const Stopwatch watch(results.times.estimate);
-    const bool by_law = estimates_by_law();
+    const bool by_law = scene_.adaptation.estimates_by_law();
     const Eigen::VectorXd law =
         by_law ? pressures_by_law(model_->problem(), results.iteration) : Eigen::VectorXd();
     for (std::size_t a = 0; by_law && a < bodies().size(); ++a)
@@ -66,12 +66,6 @@ namespace abut
     // Sizes are those of one estimate, however many were made.
     cost_.boundary.elements = estimation_.boundary_cost().elements;
     cost_.boundary.unknowns = estimation_.boundary_cost().unknowns;
-  }
-
-  bool Simulation::estimates_by_law() const
-  {
-    return scene_.adaptation.estimator == EstimatorKind::fe_be && !scene_.adaptation.combined &&
-           scene_.adaptation.boundary_solution != BoundarySolution::finite_element_trace;
   }
 
   namespace

@@ -2,7 +2,6 @@
 //
 // What a solved interface means for bodies and pairs.
 
-#include <abut/adaptation/estimator_worth.h>
 #include <abut/base/user_error.h>
 #include <abut/run/simulation.h>
 
@@ -141,7 +140,7 @@ namespace abut
     /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
     std::string underestimated_body(const Scene &scene, const std::vector<std::unique_ptr<Body>> &bodies)
     {
-      if (scene.adaptation.estimator != EstimatorKind::fe_be ||
+      if (!Registry<EstimatorEntry>::get().find(scene.adaptation.estimator).has_boundary_elements ||
           scene.adaptation.boundary_solution == BoundarySolution::trace_space ||
           scene.adaptation.boundary_solution == BoundarySolution::reference_quality)
         return {};
@@ -170,16 +169,17 @@ namespace abut
   namespace
   {
     /// That an estimator is far from the true error with some body's degree; empty where it is not.
-    std::string rough_estimator(const EstimatorKind kind, const std::vector<std::unique_ptr<Body>> &bodies)
+    std::string rough_estimator(const EstimatorEntry &estimator,
+                                const std::vector<std::unique_ptr<Body>> &bodies)
     {
       for (const auto &body : bodies)
       {
         const unsigned int degree = body->description().degree;
-        const auto worth = estimator_worth(kind, degree);
-        if (!worth || !worth->is_rough())
+        const EstimatorWorth *const worth = estimator.worth_at(degree);
+        if (worth == nullptr || !worth->is_rough())
           continue;
         std::ostringstream text;
-        text << "Adaptation/Estimator = " << to_string(kind) << " has been " << worth->least << " to "
+        text << "Adaptation/Estimator = " << estimator.name << " has been " << worth->least << " to "
              << worth->most << " times the true error with elements of degree " << degree << " (body "
              << body->name()
              << "): its marks are good, its values and a Limit are not; fe-be has a bound, kelly is nearer";
@@ -192,7 +192,8 @@ namespace abut
   Warnings Simulation::estimator_warnings() const
   {
     Warnings warnings;
-    if (const std::string sentence = rough_estimator(scene_.adaptation.estimator, bodies());
+    if (const std::string sentence =
+            rough_estimator(Registry<EstimatorEntry>::get().find(scene_.adaptation.estimator), bodies());
         !sentence.empty())
       warnings.push_back({WarningCode::rough_estimator, sentence});
     const std::string body = underestimated_body(scene_, bodies());
@@ -223,8 +224,9 @@ namespace abut
       items.emplace_back("error estimation (no estimator asked for)");
     if (!adapts())
       items.emplace_back("adaptation (no body adapts)");
-    if (scene_.adaptation.estimator != EstimatorKind::fe_be)
-      items.emplace_back("boundary elements (Adaptation/Estimator is not fe-be)");
+    if (!Registry<EstimatorEntry>::get().find(scene_.adaptation.estimator).has_boundary_elements)
+      items.emplace_back("boundary elements (Adaptation/Estimator is not " +
+                         estimators_with_boundary_elements() + ")");
     items.emplace_back("mortar coupling inside bodies (hanging nodes)");
     if (scene_.contacts.empty())
       items.emplace_back("contact (a scene without pairs)");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/text.h>
 #include <abut/scene/adaptation_parameters.h>
+#include <abut/scene/marking_entry.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -8,12 +9,6 @@ namespace abut
 {
   namespace
   {
-    const Choices<EstimatorKind> estimators{{"none", EstimatorKind::none},
-                                            {"kelly", EstimatorKind::kelly},
-                                            {"zz", EstimatorKind::zz},
-                                            {"spr", EstimatorKind::spr},
-                                            {"fe-be", EstimatorKind::fe_be}};
-
     const Choices<BoundarySolution> boundary_solutions{
         {"trace space", BoundarySolution::trace_space},
         {"constant traction", BoundarySolution::constant_traction},
@@ -22,10 +17,6 @@ namespace abut
 
     const Choices<Normalisation> normalisations{{"rms", Normalisation::rms},
                                                 {"printed", Normalisation::printed}};
-
-    const Choices<Marking> markings{{"threshold", Marking::threshold},
-                                    {"fixed fraction", Marking::fixed_fraction},
-                                    {"doerfler", Marking::doerfler}};
 
     /// A share with its bounds.
     double share(const dealii::ParameterHandler &prm, const std::string &entry, const bool zero_allowed,
@@ -39,49 +30,57 @@ namespace abut
                       (one_allowed ? "1" : "below 1"));
     }
 
-    void check_together(const AdaptationParameters &parameters)
+    const EstimatorEntry &entry_of(const AdaptationParameters &parameters)
     {
-      if (parameters.marking == Marking::threshold && parameters.estimator != EstimatorKind::none &&
-          parameters.limit == 0.)
-        throw UserError(
-            "Adaptation/Limit: received `0` with Marking = threshold, which splits the cells above "
-            "the limit; allowed are numbers above 0");
-      const bool by_law = parameters.estimator == EstimatorKind::fe_be && !parameters.combined &&
-                          parameters.boundary_solution != BoundarySolution::finite_element_trace;
-      if (parameters.estimate_steps > 0 && !by_law)
-        throw UserError(
-            "Adaptation/Estimate steps: received `" + std::to_string(parameters.estimate_steps) +
-            "`, allowed is 0 but with Estimator = fe-be, Combined = false and a Boundary solution "
-            "other than finite element trace");
-      if (!parameters.combined)
-        return;
-      if (parameters.estimator == EstimatorKind::none)
-        throw UserError(
-            "Adaptation/Estimator: received `none` with Combined = true, allowed are kelly, zz, spr, fe-be");
+      return Registry<EstimatorEntry>::get().find(parameters.estimator);
+    }
+
+    void check_combined(const AdaptationParameters &parameters)
+    {
+      if (!entry_of(parameters).estimates())
+        throw UserError("Adaptation/Estimator: received `" + parameters.estimator +
+                        "` with Combined = true, allowed are " +
+                        Registry<EstimatorEntry>::get().names_with(
+                            [](const EstimatorEntry &entry) { return entry.estimates(); }));
       if (parameters.limit == 0.)
         throw UserError(
             "Adaptation/Limit: received `0` with Combined = true, whose passes end when eta is below "
             "the limit; allowed are numbers above 0");
     }
+
+    void check_together(const AdaptationParameters &parameters)
+    {
+      if (Registry<MarkingEntry>::get().find(parameters.marking).needs_limit &&
+          entry_of(parameters).estimates() && parameters.limit == 0.)
+        throw UserError("Adaptation/Limit: received `0` with Marking = " + parameters.marking +
+                        ", which splits the cells above the limit; allowed are numbers above 0");
+      if (parameters.estimate_steps > 0 && !parameters.estimates_by_law())
+        throw UserError("Adaptation/Estimate steps: received `" + std::to_string(parameters.estimate_steps) +
+                        "`, allowed is 0 but with Estimator = " + estimators_with_boundary_elements() +
+                        ", Combined = false and a Boundary solution other than finite element trace");
+      if (parameters.combined)
+        check_combined(parameters);
+    }
   } // namespace
 
-  std::string to_string(const EstimatorKind estimator)
+  std::string estimators_with_boundary_elements()
   {
-    return word_of(estimators, estimator);
+    return Registry<EstimatorEntry>::get().names_with(
+        [](const EstimatorEntry &entry) { return entry.has_boundary_elements; }, " or ");
+  }
+
+  bool AdaptationParameters::estimates_by_law() const
+  {
+    return entry_of(*this).has_boundary_elements && !combined &&
+           boundary_solution != BoundarySolution::finite_element_trace;
   }
 
   void AdaptationParameters::declare(dealii::ParameterHandler &prm)
   {
     namespace Patterns = dealii::Patterns;
-    prm.declare_entry(
-        "Estimator", "none", Patterns::Selection(words_of(estimators)),
-        "How the stress error of a cell is estimated. kelly: jumps of the traction between cells. "
-        "zz: against nodal averages of the stress, not for values at degree 2. spr: against polynomials "
-        "fitted to the stress "
-        "around each vertex and to the known boundary tractions. fe-be: against boundary elements on the "
-        "edges of the mesh, which get the same data (the paper); bodies whose cells have straight edges "
-        "(degree 1 "
-        "on curved shapes), uniform body forces, no forces at points.");
+    prm.declare_entry("Estimator", "none", Patterns::Anything(),
+                      "How the stress error of a cell is estimated. " +
+                          Vocabulary::of("Estimator").documentation());
     prm.declare_entry(
         "Boundary solution", "trace space", Patterns::Selection(words_of(boundary_solutions)),
         "Boundary elements of the estimator fe-be for finite elements of degree p. trace space: "
@@ -101,19 +100,14 @@ namespace abut
         "Limit", "0", Patterns::Double(0.),
         "delta: the run ends when eta is at most this in every cell of every adapted body. No unit. "
         "0: it ends after Maximum passes.");
-    prm.declare_entry(
-        "Marking", "doerfler", Patterns::Selection(words_of(markings)),
-        "Which cells are split. threshold: those with eta above Limit. fixed fraction: the share "
-        "Fraction of the cells. doerfler: the fewest cells that carry the share Fraction of the "
-        "squared error. Each body by itself.");
+    prm.declare_entry("Marking", "doerfler", Patterns::Anything(),
+                      "Which cells are split, each body by itself. " +
+                          Vocabulary::of("Marking").documentation());
     prm.declare_entry("Fraction", "0.5", Patterns::Double(0., 1.),
                       "Share, above 0, that Marking speaks of; 1 with fixed fraction: every cell, uniform "
                       "refinement. No unit.");
-    prm.declare_entry(
-        "Coarsening", "0", Patterns::Double(0., 1.),
-        "Which cells may be merged, four into one. threshold: those with eta below this times "
-        "Limit. fixed fraction: this share of the cells, with the smallest errors. doerfler: as "
-        "many cells as carry this share of the squared error. No unit. 0: none.");
+    prm.declare_entry("Coarsening", "0", Patterns::Double(0., 1.),
+                      "Which cells may be merged, four into one: a share, see Marking. No unit. 0: none.");
     prm.declare_entry("Maximum passes", "10", Patterns::Integer(1, 10000),
                       "Meshes after which the run ends, the initial one included.");
     prm.declare_entry("Maximum unknowns", "1000000", Patterns::Integer(1),
@@ -137,12 +131,12 @@ namespace abut
   AdaptationParameters AdaptationParameters::parse(dealii::ParameterHandler &prm)
   {
     AdaptationParameters parameters;
-    parameters.estimator = choose(estimators, prm.get("Estimator"), "Adaptation/Estimator");
+    parameters.estimator = Vocabulary::of("Estimator").check(prm.get("Estimator"), "Adaptation/Estimator");
     parameters.boundary_solution =
         choose(boundary_solutions, prm.get("Boundary solution"), "Adaptation/Boundary solution");
     parameters.normalisation = choose(normalisations, prm.get("Normalisation"), "Adaptation/Normalisation");
     parameters.limit = prm.get_double("Limit");
-    parameters.marking = choose(markings, prm.get("Marking"), "Adaptation/Marking");
+    parameters.marking = Vocabulary::of("Marking").check(prm.get("Marking"), "Adaptation/Marking");
     parameters.fraction = share(prm, "Fraction", false, true);
     parameters.coarsening = share(prm, "Coarsening", true, false);
     parameters.maximum_passes = static_cast<unsigned int>(prm.get_integer("Maximum passes"));

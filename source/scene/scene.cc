@@ -179,10 +179,9 @@ namespace abut
       for (const BodyDescription &body : scene.bodies)
       {
         some = some || body.adapt;
-        if (body.adapt && adaptation.estimator == EstimatorKind::none)
-          throw UserError(
-              "Body " + body.name +
-              "/Adapt: received `true`, but Adaptation/Estimator is none; allowed with it is false");
+        if (body.adapt && !Registry<EstimatorEntry>::get().find(adaptation.estimator).estimates())
+          throw UserError("Body " + body.name + "/Adapt: received `true`, but Adaptation/Estimator is " +
+                          adaptation.estimator + "; allowed with it is false");
         if (body.adapt && body.cell_type == CellType::triangles && adaptation.coarsening > 0.)
           throw UserError("Adaptation/Coarsening: received a share above 0, but body " + body.name +
                           " has triangles, which cannot be merged; allowed is 0");

@@ -18,7 +18,7 @@ namespace abut
     /// For tables and legends: the file's name, or what it does where it refines every cell.
     std::string name_of(const Scene &scene)
     {
-      if (scene.adaptation.marking == Marking::fixed_fraction && scene.adaptation.fraction == 1.)
+      if (scene.adaptation.marking == "fixed fraction" && scene.adaptation.fraction == 1.)
         return "uniform";
       return std::filesystem::path(scene.file).stem().string();
     }

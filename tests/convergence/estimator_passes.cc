@@ -104,12 +104,14 @@ void hold_points(const PlaneField &field, const Vector2 &first, const Vector2 &s
 
 EstimatorPasses::EstimatorPasses(const std::string &title, const KnownBody &known,
                                  const unsigned int n_passes, const Meshes meshes,
-                                 const EstimatorKind estimator, const BoundarySolution boundary_solution)
+                                 const std::string &estimator, const BoundarySolution boundary_solution)
 {
   AdaptationParameters parameters;
-  parameters.marking = meshes == Meshes::uniform ? Marking::fixed_fraction : Marking::doerfler;
+  parameters.marking = meshes == Meshes::uniform ? "fixed fraction" : "doerfler";
   parameters.fraction = meshes == Meshes::uniform ? 1. : .5;
-  const auto indicator = make_indicator(estimator, boundary_solution);
+  parameters.estimator = estimator;
+  parameters.boundary_solution = boundary_solution;
+  const auto indicator = make_indicator(parameters);
   const KnownResponse exact(known.stress);
   FiniteElementBody body(known.description, {});
   Estimation estimation;

@@ -39,7 +39,7 @@ class EstimatorPasses
 {
 public:
   EstimatorPasses(const std::string &title, const KnownBody &body, unsigned int n_passes, Meshes meshes,
-                  abut::EstimatorKind estimator = abut::EstimatorKind::fe_be,
+                  const std::string &estimator = "fe-be",
                   abut::BoundarySolution boundary_solution = abut::BoundarySolution::trace_space);
   /// The passes of a scene of the folder prm/.
   EstimatorPasses(const std::string &title, const std::string &scene,

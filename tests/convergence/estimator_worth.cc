@@ -3,7 +3,7 @@
 // What the estimators without a bound are worth at a degree: error.total by the true error in the energy
 // norm, over all passes of scenes with exact solutions. The ranges that warnings and reports name must hold
 // them.
-#include <abut/adaptation/estimator_worth.h>
+#include <abut/scene/estimator_entry.h>
 
 #include "solved_scene.h"
 #include <iomanip>
@@ -13,7 +13,6 @@ namespace
 {
   struct Worth
   {
-    abut::EstimatorKind kind;
     std::string name;
     unsigned int degree;
   };
@@ -50,7 +49,7 @@ namespace
 
   TEST_P(EstimatorWorth, is_within_the_range_that_is_told)
   {
-    const auto [kind, name, degree] = GetParam();
+    const auto [name, degree] = GetParam();
     double least = std::numeric_limits<double>::infinity(), most = 0.;
     for (const WorthScene &scene : worth_scenes())
     {
@@ -68,7 +67,8 @@ namespace
     std::cout << std::setw(6) << name << " degree " << degree << std::fixed << std::setprecision(2)
               << "  estimated by true error " << least << " to " << most << '\n'
               << std::defaultfloat << std::setprecision(6);
-    const abut::EstimatorWorth told = abut::estimator_worth(kind, degree).value();
+    const abut::EstimatorWorth told =
+        *abut::Registry<abut::EstimatorEntry>::get().find(name).worth_at(degree);
     EXPECT_GE(least, told.least);
     EXPECT_LE(most, told.most);
     // ... and is not much wider than it has to be.
@@ -81,10 +81,8 @@ namespace
   {
     std::vector<Worth> all;
     for (const unsigned int degree : {1u, 2u, 3u})
-      for (const auto &[kind, name] :
-           {std::pair(abut::EstimatorKind::kelly, "kelly"), std::pair(abut::EstimatorKind::zz, "zz"),
-            std::pair(abut::EstimatorKind::spr, "spr")})
-        all.push_back({kind, name, degree});
+      for (const std::string name : {"kelly", "zz", "spr"})
+        all.push_back({name, degree});
     return all;
   }
 

@@ -44,7 +44,7 @@ TEST(AdaptationHanging, KellySeesAJumpFromBothSides)
   {
     const auto body = two_squares(degree);
     const Eigen::VectorXd u = folded(*body), none;
-    const CellErrors errors = make_indicator(EstimatorKind::kelly)->estimate({*body, u, none});
+    const CellErrors errors = indicator_of("kelly")->estimate({*body, u, none});
     const double c = 1. / (8. * (2. * degree + 1.));
     const double energy = 49. / 3.5 + 4., stress = 49. * (1. + 2. * 2.25 / 12.25) + 8.;
     for (const auto &cell : body->space().mesh().triangulation.active_cell_iterators())
@@ -63,7 +63,7 @@ TEST(AdaptationHanging, AveragesAreContinuous)
   // has to be at the hanging vertex between them. The left cell sees a change from 0 to 1.4, linear in x.
   const auto body = two_squares(1);
   const Eigen::VectorXd u = folded(*body), none;
-  const CellErrors errors = make_indicator(EstimatorKind::zz)->estimate({*body, u, none});
+  const CellErrors errors = indicator_of("zz")->estimate({*body, u, none});
   // Changes from -3.5 to -2.1, and from 3.5 to -2.1, in xx; those of yy, zz and xy are 1.5/3.5, 1.5/3.5,
   // 1/3.5 of that. int over a cell of a linear function from 0 to a: area a^2/3.
   const double parts = 1. + 2. * 2.25 / 12.25 + 2. / 12.25;

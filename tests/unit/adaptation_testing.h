@@ -8,11 +8,15 @@
 
 namespace abut
 {
-  inline const EstimatorKind estimators[] = {EstimatorKind::kelly, EstimatorKind::zz, EstimatorKind::spr};
-  inline std::string name_of(const EstimatorKind kind)
+  inline const std::vector<std::string> estimators = {"kelly", "zz", "spr"};
+
+  inline std::unique_ptr<Indicator> indicator_of(const std::string &estimator)
   {
-    return kind == EstimatorKind::kelly ? "kelly" : kind == EstimatorKind::zz ? "zz" : "spr";
+    AdaptationParameters parameters;
+    parameters.estimator = estimator;
+    return make_indicator(parameters);
   }
+
   inline std::string name_of(const Variant &variant)
   {
     return (variant.type == CellType::triangles ? "triangles " : "quadrilaterals ") +
@@ -20,11 +24,11 @@ namespace abut
   }
 
   /// What an indicator says of a body that is loaded and supported, and touched by nothing.
-  inline CellErrors estimate(FiniteElementBody &body, const EstimatorKind kind)
+  inline CellErrors estimate(FiniteElementBody &body, const std::string &kind)
   {
     body.prepare();
     const Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());
     const Eigen::VectorXd deformation = body.deformation(forces, 0.);
-    return make_indicator(kind)->estimate({body, deformation, forces});
+    return indicator_of(kind)->estimate({body, deformation, forces});
   }
 } // namespace abut

@@ -161,7 +161,9 @@ namespace
         layers({"Contact interface/Penalty coefficient=5e-3", "Decomposition/Scheme=" + GetParam()});
     Model model(scene, nullptr);
     Times times;
-    const auto indicator = make_indicator(EstimatorKind::zz);
+    AdaptationParameters adaptation;
+    adaptation.estimator = "zz";
+    const auto indicator = make_indicator(adaptation);
     CarriedState state;
     unsigned int all_warm = 0, all_cold = 0;
     for (unsigned int pass = 0; pass < 5; ++pass)

@@ -33,9 +33,8 @@ namespace abut
     virtual void check(const Body &) const {}
   };
 
-  /// The indicator that a scene asks for; none for `EstimatorKind::none`.
-  std::unique_ptr<Indicator>
-  make_indicator(EstimatorKind kind, BoundarySolution boundary_solution = BoundarySolution::trace_space);
+  /// The indicator that a scene asks for; null where nothing is estimated.
+  std::unique_ptr<Indicator> make_indicator(const AdaptationParameters &parameters);
 
   /**
    * eta of each cell, relative to the mean stress of the body: with `rms`

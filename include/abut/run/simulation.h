@@ -95,10 +95,6 @@ namespace abut
 
     /// Bodies, pairs and estimates that belong to the traction of `results.iteration`.
     void evaluate(Results &results);
-    /// Whether the estimate refers to the pressures that the contact law makes of the displacement, so that
-    /// it tells of discretisation and iteration together: with boundary elements. Else it
-    /// refers to those that the displacement answers; also in the combined algorithm, as in the paper.
-    bool estimates_by_law() const;
     void count_boundary_elements(const BoundaryCost &cost, Results &results);
     PassRecord record_pass(const std::optional<CarriedState> &carried, Results &results) const;
     /// Whether no further mesh is to be made; then `results.adaptation_end` says why, in a scene that adapts.

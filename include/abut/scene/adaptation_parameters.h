@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/scene/estimator_entry.h>
+
 #include <string>
 
 namespace dealii
@@ -10,19 +12,7 @@ namespace dealii
 
 namespace abut
 {
-  enum class EstimatorKind
-  {
-    none,
-    kelly, ///< jumps of the traction between cells
-    zz,    ///< Zienkiewicz and Zhu: against nodal averages of the stress
-    spr,   ///< superconvergent patch recovery with the known boundary tractions
-    fe_be  ///< the paper's: against boundary elements on the trace of the mesh
-  };
-
-  /// The word of the parameter file.
-  std::string to_string(EstimatorKind estimator);
-
-  /// How the boundary elements of `fe_be` stand to finite elements of degree p.
+  /// How the boundary elements of `fe-be` stand to finite elements of degree p.
   enum class BoundarySolution
   {
     trace_space,         ///< displacements and discontinuous tractions of degree p, recovered du/ds
@@ -38,21 +28,14 @@ namespace abut
     printed ///< norm by area, (27) of the paper to the letter
   };
 
-  enum class Marking
-  {
-    threshold,      ///< cells with eta above the limit (the paper)
-    fixed_fraction, ///< a share of the cells, those with the largest errors
-    doerfler        ///< the fewest cells that carry a share of the error
-  };
-
   /// What the section `Adaptation` says.
   struct AdaptationParameters
   {
-    EstimatorKind estimator = EstimatorKind::none;
+    std::string estimator = "none"; ///< a word with an EstimatorEntry
     BoundarySolution boundary_solution = BoundarySolution::trace_space;
     Normalisation normalisation = Normalisation::rms;
-    double limit = 0.; ///< delta: the run ends when eta is below it in every cell; 0: no limit
-    Marking marking = Marking::doerfler;
+    double limit = 0.;                ///< delta: the run ends when eta is below it in every cell; 0: no limit
+    std::string marking = "doerfler"; ///< a word with a MarkingEntry
     double fraction = .5;   ///< fixed fraction: of the cells; Doerfler: theta^2, of the squared error
     double coarsening = 0.; ///< see the parameter's documentation; 0: no cell is merged
     unsigned int maximum_passes = 10;
@@ -61,8 +44,16 @@ namespace abut
     unsigned int estimate_steps = 0; ///< estimate at every n-th step too (fe-be); 0: at the end of a pass
     bool combined = false;           ///< one decomposition step and one adaptation step a pass
 
+    /// Whether the estimate refers to the pressures that the contact law makes of the displacement, so that
+    /// it tells of discretisation and iteration together: with boundary elements. Else it refers to those
+    /// that the displacement answers; also in the combined algorithm, as in the paper.
+    bool estimates_by_law() const;
+
     static void declare(dealii::ParameterHandler &prm);
     /// Reads the section the handler stands in. Throws UserError.
     static AdaptationParameters parse(dealii::ParameterHandler &prm);
   };
+
+  /// Their names, for messages.
+  std::string estimators_with_boundary_elements();
 } // namespace abut
