@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/comparison/corner_reference.h>
 #include <abut/comparison/scene_checks.h>
+#include <abut/scene/reference_entry.h>
 
 namespace abut
 {
@@ -14,7 +15,7 @@ namespace abut
       for (const std::string side : {"left", "right", "bottom", "top"})
         checks.require_exact(body, side);
       checks.require_no_further_conditions(body, 4);
-      return {body.young_modulus, body.poisson_ratio, scene.reference.amplitude};
+      return {body.young_modulus, body.poisson_ratio, scene.reference.datum("Amplitude")};
     }
   } // namespace
 
@@ -29,4 +30,20 @@ namespace abut
   {
     return [this](const Vector2 &point) { return solution_.displacement(point); };
   }
+
+  namespace
+  {
+    ReferenceEntry corner_entry()
+    {
+      ReferenceEntry entry{"corner", "the singular field of an L-shape"};
+      entry.data = {{"Amplitude", "K of the stress K r^(alpha - 1) across the bisector, alpha = 0.54448",
+                     "Force / area length^(alpha - 1)"}};
+      entry.make = [](const Scene &scene) -> std::unique_ptr<ExactSolution> {
+        return std::make_unique<CornerReference>(scene);
+      };
+      return entry;
+    }
+
+    const Registered<ReferenceEntry> registered_corner(corner_entry());
+  } // namespace
 } // namespace abut

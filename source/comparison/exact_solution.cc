@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
-#include <abut/comparison/corner_reference.h>
 #include <abut/comparison/exact_solution.h>
-#include <abut/comparison/flat_punch_reference.h>
-#include <abut/comparison/hertz_reference.h>
-#include <abut/comparison/lame_reference.h>
-#include <abut/comparison/layers_reference.h>
+#include <abut/scene/reference_entry.h>
 
 namespace abut
 {
+  namespace
+  {
+    const Registered<ReferenceEntry> registered_no_reference({"none", "nothing to compare with"});
+  } // namespace
+
   std::unique_ptr<ExactSolution> make_exact_solution(const Scene &scene)
   {
-    switch (scene.reference.solution)
-    {
-    case ReferenceParameters::Solution::none:
-      break;
-    case ReferenceParameters::Solution::layers_sliding:
-    case ReferenceParameters::Solution::layers_bonded:
-    case ReferenceParameters::Solution::infinite_layers_sliding:
-    case ReferenceParameters::Solution::infinite_layers_bonded:
-      return std::make_unique<LayersReference>(scene);
-    case ReferenceParameters::Solution::hertz:
-      return std::make_unique<HertzReference>(scene);
-    case ReferenceParameters::Solution::lame:
-      return std::make_unique<LameReference>(scene);
-    case ReferenceParameters::Solution::flat_punch:
-      return std::make_unique<FlatPunchReference>(scene);
-    case ReferenceParameters::Solution::corner:
-      return std::make_unique<CornerReference>(scene);
-    }
-    return {};
+    const ReferenceEntry &entry = Registry<ReferenceEntry>::get().find(scene.reference.solution);
+    return entry.make != nullptr ? entry.make(scene) : nullptr;
   }
 
   BodyDescription with_exact_conditions(const Scene &scene, const std::size_t body,

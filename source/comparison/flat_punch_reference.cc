@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/comparison/flat_punch_reference.h>
 #include <abut/comparison/scene_checks.h>
+#include <abut/scene/reference_entry.h>
 
 #include <cmath>
 #include <sstream>
@@ -33,7 +34,7 @@ namespace abut
       const SceneChecks checks(scene.reference);
       checks.require_single_body(scene, "rectangle");
       const BodyDescription &body = scene.bodies.front();
-      const double half_width = scene.reference.half_width;
+      const double half_width = scene.reference.datum("Half width");
       std::ostringstream text;
       text << "Reference/Half width = " << half_width << " must be below the width of body " << body.name
            << ", " << body.size[0];
@@ -42,7 +43,7 @@ namespace abut
       for (const std::string side : {"right", "bottom"})
         checks.require_exact(body, side);
       const FlatPunch punch(
-          {body.young_modulus, body.poisson_ratio, scene.reference.half_width, scene.reference.force});
+          {body.young_modulus, body.poisson_ratio, half_width, scene.reference.datum("Force")});
       check_punch_pressure(checks, body, punch, half_width);
       checks.require_no_further_conditions(body, 4);
       return punch;
@@ -64,4 +65,21 @@ namespace abut
   {
     return [this](const Vector2 &point) { return solution_.displacement(point - surface_origin_); };
   }
+
+  namespace
+  {
+    ReferenceEntry flat_punch_entry()
+    {
+      ReferenceEntry entry{"flat punch",
+                           "a half-plane, cut out as a rectangle, under the pressure of a rigid punch"};
+      entry.data = {{"Force", pressing_force, "Force / thickness"},
+                    {"Half width", "a, half of the punch's width", "Length"}};
+      entry.make = [](const Scene &scene) -> std::unique_ptr<ExactSolution> {
+        return std::make_unique<FlatPunchReference>(scene);
+      };
+      return entry;
+    }
+
+    const Registered<ReferenceEntry> registered_flat_punch(flat_punch_entry());
+  } // namespace
 } // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/comparison/hertz_reference.h>
 #include <abut/comparison/scene_checks.h>
+#include <abut/scene/reference_entry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -148,7 +149,7 @@ namespace abut
       const HertzFace master = hertz_face(checks, scene, contact.master);
       check_hertz_places(checks, slave, master);
       const BodyDescription &a = slave.body, &b = master.body;
-      const double force = scene.reference.force, radius = scene.reference.radius;
+      const double force = scene.reference.datum("Force"), radius = scene.reference.datum("Radius");
       const HertzLineContact hertz(
           force, radius,
           composite_modulus(a.young_modulus, a.poisson_ratio, b.young_modulus, b.poisson_ratio));
@@ -168,7 +169,7 @@ namespace abut
     const HertzFace slave = hertz_face(SceneChecks(scene.reference), scene, scene.contacts.front().slave);
     middle_ = slave.middle.x();
     scale_ = slave.scale();
-    force_ = (slave.is_half ? .5 : 1.) * scene.reference.force / scale_;
+    force_ = (slave.is_half ? .5 : 1.) * scene.reference.datum("Force") / scale_;
   }
 
   std::function<double(const Vector2 &)> HertzReference::pressure() const
@@ -176,4 +177,20 @@ namespace abut
     return
         [this](const Vector2 &own_point) { return solution_.pressure(scale_ * (own_point.x() - middle_)); };
   }
+
+  namespace
+  {
+    ReferenceEntry hertz_entry()
+    {
+      ReferenceEntry entry{"hertz", "contact of half-planes, the pressure and its resultant"};
+      entry.data = {{"Force", pressing_force, "Force / thickness"},
+                    {"Radius", "R of 1/R = 1/R_1 + 1/R_2, in the plane; the gap is x^2/(2R)", "Length"}};
+      entry.make = [](const Scene &scene) -> std::unique_ptr<ExactSolution> {
+        return std::make_unique<HertzReference>(scene);
+      };
+      return entry;
+    }
+
+    const Registered<ReferenceEntry> registered_hertz(hertz_entry());
+  } // namespace
 } // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/comparison/lame_reference.h>
 #include <abut/comparison/scene_checks.h>
+#include <abut/scene/reference_entry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -176,4 +177,18 @@ namespace abut
   {
     return [this](const Vector2 &) { return solution_.pressure(); };
   }
+
+  namespace
+  {
+    ReferenceEntry lame_entry()
+    {
+      ReferenceEntry entry{"lame", "a disc or ring shrunk into a ring"};
+      entry.make = [](const Scene &scene) -> std::unique_ptr<ExactSolution> {
+        return std::make_unique<LameReference>(scene);
+      };
+      return entry;
+    }
+
+    const Registered<ReferenceEntry> registered_lame(lame_entry());
+  } // namespace
 } // namespace abut

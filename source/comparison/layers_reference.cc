@@ -5,6 +5,7 @@
 #include <abut/reference/layers_contact.h>
 #include <abut/reference/penalised_layers_contact.h>
 #include <abut/reference/piecewise_pressure.h>
+#include <abut/scene/reference_entry.h>
 #include <abut/trace/applied_traction.h>
 
 #include <Eigen/LU>
@@ -16,19 +17,6 @@ namespace abut
 {
   namespace
   {
-    using LayersSolution = ReferenceParameters::Solution;
-
-    bool is_bonded(const LayersSolution solution)
-    {
-      return solution == LayersSolution::layers_bonded || solution == LayersSolution::infinite_layers_bonded;
-    }
-
-    bool is_infinite(const LayersSolution solution)
-    {
-      return solution == LayersSolution::infinite_layers_sliding ||
-             solution == LayersSolution::infinite_layers_bonded;
-    }
-
     /// The inward displacement of a face that slides, one number all along it.
     double sliding_approach(const SceneChecks &checks, const BodyDescription &body, const std::string &face)
     {
@@ -94,30 +82,29 @@ namespace abut
       }
     }
 
-    LayersContactData make_data(const Scene &scene)
+    LayersContactData make_data(const Scene &scene, const Layer::Ends ends, const Layer::Base base)
     {
       const SceneChecks checks(scene.reference);
       checks.require_pair(scene);
       const ContactDescription &contact = scene.contacts.front();
       LayersContactData data{};
-      data.ends = is_infinite(scene.reference.solution) ? Layer::Ends::infinite : Layer::Ends::rollers;
+      data.ends = ends;
       double approach = 0.;
       for (const Side &side : {contact.slave, contact.master})
       {
         const std::size_t index = scene.body_index(side.body);
         const BodyDescription &body = scene.bodies[index];
-        check_layer(checks, body, side.boundary, is_infinite(scene.reference.solution));
-        const bool bonded = is_bonded(scene.reference.solution);
-        data.layers[index] = {body.young_modulus, body.poisson_ratio, body.size[1],
-                              bonded ? Layer::Base::bonded : Layer::Base::sliding};
+        check_layer(checks, body, side.boundary, ends == Layer::Ends::infinite);
+        const bool bonded = base == Layer::Base::bonded;
+        data.layers[index] = {body.young_modulus, body.poisson_ratio, body.size[1], base};
         const std::string face = side.boundary == "top" ? "bottom" : "top";
         approach += bonded ? bonded_approach(checks, body, face) : sliding_approach(checks, body, face);
       }
       data.length = scene.bodies[0].size[0];
       checks.require(agree(data.length, scene.bodies[1].size[0]), "the two bodies must have the same width");
       check_places(checks, scene, contact);
-      data.gap_curvature = scene.reference.gap_curvature;
-      data.approach = scene.reference.approach;
+      data.gap_curvature = scene.reference.datum("Gap curvature");
+      data.approach = scene.reference.datum("Approach");
       checks.require(agree(approach, data.approach),
                      "the faces approach by " + std::to_string(approach) +
                          ", not by Reference/Approach = " + std::to_string(data.approach));
@@ -143,9 +130,10 @@ namespace abut
              slave.length_to_world(1.);
     }
 
-    std::unique_ptr<const PressedLayers> solve_layers(const Scene &scene)
+    std::unique_ptr<const PressedLayers> solve_layers(const Scene &scene, const Layer::Ends ends,
+                                                      const Layer::Base base)
     {
-      const LayersContactData data = make_data(scene);
+      const LayersContactData data = make_data(scene, ends, base);
       if (scene.reference.contact == ReferenceParameters::Contact::penalised)
         return std::make_unique<const PenalisedLayersContact>(data, own_penalty(scene));
       return std::make_unique<const LayersContact>(data);
@@ -191,7 +179,8 @@ namespace abut
     }
   } // namespace
 
-  LayersReference::LayersReference(const Scene &scene) : solution_(solve_layers(scene))
+  LayersReference::LayersReference(const Scene &scene, const Layer::Ends ends, const Layer::Base base)
+      : solution_(solve_layers(scene, ends, base))
   {
     const ContactDescription &contact = scene.contacts.front();
     for (const Side &side : {contact.slave, contact.master})
@@ -235,4 +224,51 @@ namespace abut
   {
     return [this](const Vector2 &own_point) { return solution_->pressure(own_point.x()); };
   }
+
+  namespace
+  {
+    template <Layer::Ends ends, Layer::Base base>
+    std::unique_ptr<ExactSolution> make_layers(const Scene &scene)
+    {
+      return std::make_unique<LayersReference>(scene, ends, base);
+    }
+
+    ReferenceEntry layers_entry(const std::string &name, const std::string &documentation,
+                                std::unique_ptr<ExactSolution> (*make)(const Scene &))
+    {
+      ReferenceEntry entry{name, documentation};
+      entry.data = {{"Approach", "how far the outer faces approach each other", "Length"},
+                    {"Gap curvature", "r of the gap r x^2", "1 / length"}};
+      entry.make = make;
+      return entry;
+    }
+
+    /// Layers with ends, which are known for both contact laws.
+    ReferenceEntry finite_layers_entry(const std::string &name, const std::string &documentation,
+                                       std::unique_ptr<ExactSolution> (*make)(const Scene &))
+    {
+      ReferenceEntry entry = layers_entry(name, documentation, make);
+      entry.can_be_penalised = true;
+      return entry;
+    }
+
+    using Ends = Layer::Ends;
+    using Base = Layer::Base;
+
+    const Registered<ReferenceEntry> registered_layers_sliding(finite_layers_entry(
+        "layers sliding",
+        "two layers with sliding faces and roller ends, pressed together over a quadratic gap",
+        make_layers<Ends::rollers, Base::sliding>));
+    const Registered<ReferenceEntry> registered_layers_bonded(
+        finite_layers_entry("layers bonded", "as layers sliding, with faces that do not slide",
+                            make_layers<Ends::rollers, Base::bonded>));
+    const Registered<ReferenceEntry> registered_infinite_layers_sliding(
+        layers_entry("infinite layers sliding",
+                     "layers without an end, for scenes whose right ends are free; the ends make a "
+                     "difference",
+                     make_layers<Ends::infinite, Base::sliding>));
+    const Registered<ReferenceEntry> registered_infinite_layers_bonded(
+        layers_entry("infinite layers bonded", "as infinite layers sliding, with faces that do not slide",
+                     make_layers<Ends::infinite, Base::bonded>));
+  } // namespace
 } // namespace abut

@@ -201,7 +201,7 @@ namespace abut
     {
       for (const BodyDescription &body : scene.bodies)
         for (const Condition &condition : body.conditions)
-          if (condition.exact && scene.reference.solution == ReferenceParameters::Solution::none)
+          if (condition.exact && !scene.reference.is_named())
             throw UserError(
                 "Body " + body.name + "/Conditions: " + condition.boundary +
                 ": received `exact`, but Reference/Exact solution is none; name the solution there");

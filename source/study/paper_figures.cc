@@ -24,7 +24,7 @@ namespace abut
 
     LayersContact exact_layers(const Scene &scene)
     {
-      if (scene.reference.solution != ReferenceParameters::Solution::infinite_layers_sliding)
+      if (scene.reference.solution != "infinite layers sliding")
         throw UserError(scene.file +
                         ": Reference/Exact solution must be 'infinite layers sliding' for the figures of "
                         "the combined algorithm");
@@ -33,8 +33,8 @@ namespace abut
         data.layers[a] = {scene.bodies[a].young_modulus, scene.bodies[a].poisson_ratio,
                           scene.bodies[a].size[1], Layer::Base::sliding};
       data.length = scene.bodies[0].size[0];
-      data.gap_curvature = scene.reference.gap_curvature;
-      data.approach = scene.reference.approach;
+      data.gap_curvature = scene.reference.datum("Gap curvature");
+      data.approach = scene.reference.datum("Approach");
       data.ends = Layer::Ends::infinite;
       return LayersContact(data);
     }

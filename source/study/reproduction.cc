@@ -114,7 +114,7 @@ namespace abut
     const Scene scene = Scene::read(file, overrides);
     if (scene.adaptation.combined)
       exact_half_width(scene); // refuses scenes that the figures are not made for
-    else if (scene.reference.solution == ReferenceParameters::Solution::none)
+    else if (!scene.reference.is_named())
       throw UserError("Reference/Exact solution: received `none`, allowed for `abut reproduce` without "
                       "Adaptation/Combined are solutions with a stress: the figures show true errors");
     make_output_directory(scene.output_directory);

@@ -120,7 +120,7 @@ TEST(SceneErrors, the_other_sections)
       {"Reference/Exact solution=layers sliding",
        "Reference/Approach: received `0`, the solution layers sliding"},
       {"Reference/Contact=penalised", "Reference/Contact: received `penalised` with the solution none, "
-                                      "allowed with layers sliding and layers bonded only"},
+                                      "allowed with layers bonded and layers sliding only"},
       {"Reference/Contact=elastic", "named Contact does not match"},
       {"Constants/Values=1", "Constants: received 2 names and 1 values"},
       {"Constants/Names=r0, x", "Constants/Names: received `x`"},

@@ -47,9 +47,9 @@ TEST(Scene, reads_constants_in_the_reference)
 {
   const Scene scene =
       Scene::read(ABUT_SOURCE_DIR "/prm/two-layers-rollers.prm", {"Constants/Values = 2e-3, 1e-3"});
-  EXPECT_EQ(scene.reference.solution, ReferenceParameters::Solution::layers_sliding);
-  EXPECT_EQ(scene.reference.gap_curvature, 2e-3);
-  EXPECT_EQ(scene.reference.approach, 1e-3);
+  EXPECT_EQ(scene.reference.solution, "layers sliding");
+  EXPECT_EQ(scene.reference.datum("Gap curvature"), 2e-3);
+  EXPECT_EQ(scene.reference.datum("Approach"), 1e-3);
   EXPECT_EQ(scene.reference.contact, ReferenceParameters::Contact::exact);
   EXPECT_FALSE(scene.decomposition.relaxation);
 }

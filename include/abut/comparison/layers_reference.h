@@ -18,7 +18,7 @@ namespace abut
   {
   public:
     /// Throws UserError when the scene is not that of two such layers.
-    explicit LayersReference(const Scene &scene);
+    LayersReference(const Scene &scene, Layer::Ends ends, Layer::Base base);
 
     OwnStress stress(std::size_t body) const override;
     std::function<double(const Vector2 &)> pressure() const override;

@@ -13,6 +13,10 @@ namespace abut
   const Condition *find_condition(const BodyDescription &body, const std::string &boundary,
                                   ConditionKind kind);
 
+  /// What is said of the datum `Force` of Reference.
+  constexpr auto pressing_force =
+      "P, what presses the bodies together; the whole of it where the scene is one half";
+
   inline Stress to_stress(const ExactStress &s)
   {
     return {s.xx, s.yy, s.xy, s.zz};
@@ -22,7 +26,7 @@ namespace abut
   class SceneChecks
   {
   public:
-    explicit SceneChecks(const ReferenceParameters &reference) : solution_(to_string(reference.solution)) {}
+    explicit SceneChecks(const ReferenceParameters &reference) : solution_(reference.solution) {}
 
     /// `what`: the difference between the scene and the solution, with what is needed.
     void require(bool holds, const std::string &what) const;

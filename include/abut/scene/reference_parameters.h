@@ -3,6 +3,7 @@
 
 #include <abut/scene/expression.h>
 
+#include <map>
 #include <string>
 
 namespace dealii
@@ -15,39 +16,22 @@ namespace abut
   /// Exact solutions a scene may name, with their data (section `Reference`).
   struct ReferenceParameters
   {
-    enum class Solution
-    {
-      none,
-      layers_sliding, ///< two layers with sliding faces and roller ends, pressed by `Approach`, gap `Gap
-                      ///< curvature` x^2
-      layers_bonded,  ///< the same with faces that are held along themselves
-      infinite_layers_sliding, ///< layers without an end; for scenes of finite layers with free right ends
-      infinite_layers_bonded,
-      hertz,      ///< two half-planes, `Force`, composite radius `Radius`
-      lame,       ///< a disc or ring shrunk into a ring
-      flat_punch, ///< a half-plane under the pressure of a rigid punch, `Half width`, `Force`
-      corner      ///< the singular field of an L-shape, `Amplitude`
-    };
     /// The contact law the solution obeys.
     enum class Contact
     {
       exact,
-      penalised ///< with the penalty of the scene's pair; layers between rollers only
+      penalised ///< with the penalty of the scene's pair; ReferenceEntry::can_be_penalised
     };
-    Solution solution = Solution::none;
+    std::string solution = "none"; ///< a word with a ReferenceEntry
     Contact contact = Contact::exact;
-    double approach = 0.;
-    double gap_curvature = 0.;
-    double force = 0.; ///< of the whole contact, where a scene has half of it too
-    double radius = 0.;
-    double half_width = 0.;
-    double amplitude = 0.;
+    std::map<std::string, double> data; ///< what the solution needs, by the entry's name
+
+    double datum(const std::string &entry) const { return data.at(entry); }
+    /// Whether the scene names a solution.
+    bool is_named() const;
 
     static void declare(dealii::ParameterHandler &prm);
     /// Reads the section the handler stands in. Throws UserError.
     static ReferenceParameters parse(dealii::ParameterHandler &prm, const Constants &constants);
   };
-
-  /// The name used in the parameter file.
-  std::string to_string(ReferenceParameters::Solution solution);
 } // namespace abut
