@@ -1,53 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/interface_solver.h>
-#include <abut/decomposition/schemes/conjugate.h>
 #include <abut/decomposition/schemes/initial_guess.h>
 #include <abut/decomposition/schemes/neumann.h>
-#include <abut/decomposition/schemes/newton.h>
 #include <abut/decomposition/spectrum.h>
 
 #include <algorithm>
 
 namespace abut
 {
-  double choose_relaxation(const InterfaceProblem &problem, const DecompositionParameters &parameters)
-  {
-    if (parameters.relaxation)
-      return *parameters.relaxation;
-    return automatic_relaxation(
-        largest_eigenvalue(problem, *make_compliance(problem, ComplianceMode::solves, 0.)));
-  }
-
-  namespace
-  {
-    /// Solves of each body that a scheme takes, roughly.
-    double expected_solves(const DecompositionParameters &parameters, const double relaxation,
-                           const std::size_t n_motions)
-    {
-      constexpr double of_active_sets = 40., of_conjugate_gradients = 25.;
-      switch (parameters.scheme)
-      {
-      case SchemeKind::newton:
-        return of_active_sets * static_cast<double>(1 + n_motions); // right sides
-      case SchemeKind::conjugate:
-        return of_conjugate_gradients;
-      case SchemeKind::neumann:
-        break;
-      }
-      return expected_steps(relaxation, parameters.tolerance);
-    }
-  } // namespace
-
   InterfaceSolver::InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters)
-      : problem_(problem), parameters_(parameters)
+      : problem_(problem), entry_(scheme_of(parameters)),
+        parameters_(entry_.chosen != nullptr ? entry_.chosen(problem, parameters) : parameters)
   {
     const auto make = [&](const std::size_t n_motions) {
-      return make_compliance(problem, parameters.compliance,
-                             expected_solves(parameters, relaxation_, n_motions));
+      return make_compliance(problem, parameters.compliance, entry_.expected_solves(parameters_, n_motions));
     };
-    if (parameters.scheme == SchemeKind::neumann)
+    if (!entry_.takes_motions)
     {
-      relaxation_ = choose_relaxation(problem, parameters);
       compliance_ = make(0);
       return;
     }
@@ -65,28 +34,17 @@ namespace abut
     DecompositionParameters parameters = parameters_;
     if (tolerance && parameters.stopping_rule == StoppingRule::bound)
       parameters.tolerance = *tolerance;
-    if (parameters.scheme == SchemeKind::neumann)
-      return solve_neumann(loads, start, observer, parameters);
-    const InterfaceProblem::Loads opened = held_->opened(loads);
-    InterfaceState state{start, {}};
-    if (state.traction)
-      (*state.traction)(held_->indices()).setZero();
-    if (parameters.scheme == SchemeKind::newton)
-      return NewtonScheme(*system_, parameters).solve(opened, state, observer);
-    return ConjugateScheme(*system_, parameters).solve(opened, state, observer);
-  }
-
-  SchemeResult InterfaceSolver::solve_neumann(const InterfaceProblem::Loads &loads,
-                                              const std::optional<Eigen::VectorXd> &start,
-                                              const StepObserver &observer,
-                                              const DecompositionParameters &parameters) const
-  {
-    // Bodies that do not overlap under their loads do not press: an older traction would only have to decay.
-    const bool overlaps = !problem_.pressures(loads.response).isZero(0.);
-    const InterfaceState state =
-        start && overlaps ? respond_to(*compliance_, loads, *start)
-                          : initial_guess(problem_, *compliance_, loads, parameters_.initial_guess);
-    return NeumannScheme(problem_, *compliance_, parameters, relaxation_).solve(loads, state, observer);
+    const auto scheme = entry_.make({problem_, *compliance_, system_.get(), parameters});
+    const auto solve_from = [&](const InterfaceProblem::Loads &all,
+                                const std::optional<Eigen::VectorXd> &from) {
+      return scheme->solve(all, scheme->first_state(all, from), observer);
+    };
+    if (!held_)
+      return solve_from(loads, start);
+    std::optional<Eigen::VectorXd> from = start;
+    if (from)
+      (*from)(held_->indices()).setZero();
+    return solve_from(held_->opened(loads), from);
   }
 
   SchemeResult InterfaceSolver::limit(const InterfaceProblem::Loads &loads,

@@ -43,11 +43,12 @@ namespace abut
         throw UserError("Body " + body->name() + " is held by nothing against " + motions +
                         ": give it supports in Body " + body->name() +
                         "/Conditions (a displacement condition on a side or at a point)");
-      if (scene_.decomposition.scheme == SchemeKind::neumann)
+      if (!scheme_of(scene_.decomposition).takes_motions)
         throw UserError("Body " + body->name() + " is held by contact alone against " + motions +
-                        ": Decomposition/Scheme = neumann needs supports on every body; take newton or "
-                        "conjugate, or add a displacement condition to Body " +
-                        body->name() + "/Conditions");
+                        ": Decomposition/Scheme = " + scene_.decomposition.scheme +
+                        " needs supports on every body; take " +
+                        schemes_with(&SchemeEntry::takes_motions, true, " or ") +
+                        ", or add a displacement condition to Body " + body->name() + "/Conditions");
       floats = true;
     }
     if (floats &&
@@ -211,7 +212,7 @@ namespace abut
                                            Results &results) const
   {
     const Body *const pressed = resultant_body();
-    if (pressed != nullptr && scene_.decomposition.scheme == SchemeKind::neumann)
+    if (pressed != nullptr && !scheme_of(scene_.decomposition).takes_motions)
       return solve_with_resultant(*pressed, start, tolerance, observer, results);
     return solver_->solve(model_->problem().loads(0.), start, observer, tolerance);
   }

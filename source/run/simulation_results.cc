@@ -158,11 +158,11 @@ namespace abut
       for (const std::string &sentence : solver_->motions()->dropped_loads)
         warnings.push_back({WarningCode::dropped_load, sentence});
     const DecompositionParameters &decomposition = scene_.decomposition;
-    if (decomposition.scheme != SchemeKind::neumann && !scene_.contacts.empty() &&
+    if (!scheme_of(decomposition).iterates_displacements && !scene_.contacts.empty() &&
         (decomposition.relaxation || decomposition.initial_guess != DecompositionParameters().initial_guess))
       warnings.push_back({WarningCode::unused_parameter,
                           "Decomposition/Relaxation and Initial guess are for Scheme = neumann; the scheme " +
-                              to_string(decomposition.scheme) + " takes no notice of them"});
+                              decomposition.scheme + " takes no notice of them"});
     return warnings;
   }
 

@@ -41,7 +41,7 @@ namespace abut
                                       const Loads &loads)
     {
       constexpr double asked = 1e-13, needed = 1e-9; // round-off may leave more than is asked
-      parameters.scheme = SchemeKind::newton;
+      parameters.scheme = "newton";
       parameters.tolerance = asked;
       parameters.maximum_steps = DecompositionParameters().maximum_steps;
       ReferenceSolution reference;
@@ -75,8 +75,8 @@ namespace abut
       return most;
     }
 
-    /// Why a scene is beyond the scheme neumann; empty where it is not.
-    std::string beyond_neumann(const Model &model)
+    /// What takes motions as unknowns; empty where nothing does.
+    std::string moving_body(const Model &model)
     {
       for (const auto &body : model.bodies())
         if (!body->free_rigid_motions().empty())
@@ -84,23 +84,35 @@ namespace abut
         else if (body->resultant())
           return "not run: the body " + body->name() +
                  " carries a given force, which takes several solutions";
+      return {};
+    }
+
+    std::string pair_without_penalty(const Model &model)
+    {
       for (const ContactPair *pair : model.pairs())
         if (!(pair->penalty() > 0.))
           return "not run: the contact " + pair->name() + " has no penalty";
       return {};
     }
 
+    /// Why a scene is beyond a scheme; empty where it is not.
+    std::string beyond(const SchemeEntry &scheme, const Model &model)
+    {
+      const std::string moving = scheme.takes_motions ? "" : moving_body(model);
+      return moving.empty() && !scheme.solves_exact_contact ? pair_without_penalty(model) : moving;
+    }
+
     /// Whether the scheme is worth running; else sets message and prediction.
     bool can_run(const Model &model, const DecompositionParameters &parameters, SchemeRun &run)
     {
       constexpr double most_steps = 25000.;
-      if (parameters.scheme != SchemeKind::neumann)
-        return true;
-      run.message = beyond_neumann(model);
+      const SchemeEntry &scheme = scheme_of(parameters);
+      run.message = beyond(scheme, model);
       if (!run.message.empty())
         return false;
-      run.predicted_steps =
-          expected_steps(choose_relaxation(model.problem(), parameters), parameters.tolerance);
+      if (!scheme.iterates_displacements)
+        return true;
+      run.predicted_steps = scheme.expected_solves(scheme.chosen(model.problem(), parameters), 0);
       if (*run.predicted_steps > most_steps)
         run.message = "not run: too many steps";
       return run.message.empty();
@@ -118,7 +130,7 @@ namespace abut
                          const ReferenceSolution &reference)
     {
       SchemeRun run;
-      run.scheme = to_string(parameters.scheme);
+      run.scheme = parameters.scheme;
       if (!can_run(model, parameters, run))
         return run;
       const std::vector<unsigned int> solves = count_solves(model);
@@ -162,9 +174,9 @@ namespace abut
     parameters.stopping_rule = StoppingRule::bound;
     const ReferenceSolution reference = solve_reference(model.problem(), parameters, loads);
     std::vector<SchemeRun> runs;
-    for (const SchemeKind kind : {SchemeKind::newton, SchemeKind::conjugate, SchemeKind::neumann})
+    for (const SchemeEntry &scheme : Registry<SchemeEntry>::get().entries())
     {
-      parameters.scheme = kind;
+      parameters.scheme = scheme.name;
       runs.push_back(run_scheme(model, parameters, loads, reference));
     }
     make_output_directory(scene.output_directory);

@@ -111,7 +111,8 @@ TEST(SceneErrors, the_other_sections)
   expect_refused({
       {"Tolerance=0.01", "Tolerance: received `0.01`, allowed is 0: tolerance-driven runs are not available"},
       {"Discretisation/Degree=0", "[Integer range 1...3 (inclusive)]"},
-      {"Decomposition/Scheme=jacobi", "[Selection neumann|conjugate|newton ]"},
+      {"Decomposition/Scheme=jacobi",
+       "Decomposition/Scheme: received `jacobi`, allowed are conjugate, neumann, newton"},
       {"Decomposition/Relaxation=fast", "received `fast`, allowed are automatic and numbers above 0"},
       {"Decomposition/Relaxation=0", "received `0`, allowed are automatic and numbers above 0"},
       {"Decomposition/Tolerance=0",

@@ -4,16 +4,14 @@
 #include <abut/decomposition/contact_system.h>
 #include <abut/decomposition/held_parts.h>
 #include <abut/decomposition/scheme.h>
+#include <abut/scene/scheme_entry.h>
 
 #include <memory>
 
 namespace abut
 {
-  /// gamma: the scene's, or made from the largest eigenvalue.
-  double choose_relaxation(const InterfaceProblem &problem, const DecompositionParameters &parameters);
-
   /**
-   * The scheme that a scene asks for, with the compliance and the relaxation that suit it, chosen once and
+   * The scheme that a scene asks for, with the compliance and the parameters that suit it, chosen once and
    * used for every load.
    */
   class InterfaceSolver
@@ -22,7 +20,7 @@ namespace abut
     /// The problem must outlive the solver. Throws UserError where contact cannot hold a floating body.
     InterfaceSolver(const InterfaceProblem &problem, const DecompositionParameters &parameters);
 
-    /// Begins from `start` where given, else from the scene's initial guess (neumann) or from guess_contact.
+    /// Begins from `start` where given, else from what the scheme guesses.
     /// Where the stopping rule is the bound, `tolerance` takes the place of the scene's.
     SchemeResult solve(const InterfaceProblem::Loads &loads, const std::optional<Eigen::VectorXd> &start,
                        const StepObserver &observer, const std::optional<double> &tolerance = {}) const;
@@ -32,19 +30,15 @@ namespace abut
     SchemeResult limit(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &start) const;
 
     const InterfaceCompliance &compliance() const { return *compliance_; }
-    /// Null for the parallel Neumann scheme.
+    /// Null for a scheme that takes none.
     const MotionTerms *motions() const { return system_ ? &system_->motions : nullptr; }
 
   private:
-    SchemeResult solve_neumann(const InterfaceProblem::Loads &loads,
-                               const std::optional<Eigen::VectorXd> &start, const StepObserver &observer,
-                               const DecompositionParameters &parameters) const;
-
     const InterfaceProblem &problem_;
-    DecompositionParameters parameters_;
-    double relaxation_ = 0.; ///< of the parallel Neumann scheme
+    const SchemeEntry &entry_;
+    DecompositionParameters parameters_; ///< as chosen for the problem
     std::unique_ptr<InterfaceCompliance> compliance_;
-    std::unique_ptr<ContactSystem> system_; ///< of the other schemes
+    std::unique_ptr<ContactSystem> system_; ///< of schemes that take motions
     std::optional<HeldParts> held_;         ///< with the system
   };
 } // namespace abut

@@ -72,12 +72,31 @@ namespace abut
     bool converged() const { return message.empty(); }
   };
 
+  struct ContactSystem;
+
+  /// What a scheme is made of: an interface problem, and the parameters chosen for it. All must outlive it.
+  struct SchemeSetting
+  {
+    const InterfaceProblem &problem;
+    const InterfaceCompliance &compliance;
+    const ContactSystem *system; ///< null for a scheme that takes no motions
+    const DecompositionParameters &parameters;
+  };
+
   /// Solves the interface problem: given the traction, every body solves its own linear problem,
   /// independently.
   class Scheme
   {
   public:
     virtual ~Scheme() = default;
+
+    /// The state that it begins with, from the pressures of a mesh before where there are such.
+    virtual InterfaceState first_state(const InterfaceProblem::Loads & /*loads*/,
+                                       const std::optional<Eigen::VectorXd> &pressures) const
+    {
+      return {pressures, {}};
+    }
+
     virtual SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                                const StepObserver &observer) const = 0;
   };

@@ -11,15 +11,6 @@ namespace dealii
 
 namespace abut
 {
-  enum class SchemeKind
-  {
-    neumann,   ///< the parallel Neumann scheme, (20)-(21) of the paper
-    conjugate, ///< projected conjugate gradients
-    newton     ///< primal-dual active set
-  };
-  /// As in parameter files.
-  std::string to_string(SchemeKind scheme);
-
   enum class InitialGuess
   {
     elastic_layer, ///< the paper's, literally: normal displacements on the contact nodes that just close the
@@ -43,7 +34,7 @@ namespace abut
   /// What the section `Decomposition` says.
   struct DecompositionParameters
   {
-    SchemeKind scheme = SchemeKind::newton;
+    std::string scheme = "newton"; ///< a word with a SchemeEntry
     InitialGuess initial_guess = InitialGuess::elastic_layer_response;
     std::optional<double> relaxation; ///< gamma; empty: automatic
     StoppingRule stopping_rule = StoppingRule::bound;

@@ -3,6 +3,7 @@
 #include <abut/decomposition/schemes/contact_guess.h>
 #include <abut/decomposition/schemes/newton.h>
 #include <abut/decomposition/schemes/projected_gradients.h>
+#include <abut/scene/scheme_entry.h>
 
 #include <Eigen/Cholesky>
 
@@ -130,4 +131,21 @@ namespace abut
       }
     }
   }
+
+  namespace
+  {
+    SchemeEntry conjugate_entry()
+    {
+      SchemeEntry entry{"conjugate", "projected conjugate gradients"};
+      entry.expected_solves = [](const DecompositionParameters & /*parameters*/, std::size_t /*n_motions*/) {
+        return 25.;
+      };
+      entry.make = [](const SchemeSetting &setting) -> std::unique_ptr<Scheme> {
+        return std::make_unique<ConjugateScheme>(*setting.system, setting.parameters);
+      };
+      return entry;
+    }
+
+    const Registered<SchemeEntry> registered_conjugate(conjugate_entry());
+  } // namespace
 } // namespace abut

@@ -195,6 +195,15 @@ namespace abut
     return result;
   }
 
+  InterfaceState NeumannScheme::first_state(const InterfaceProblem::Loads &loads,
+                                            const std::optional<Eigen::VectorXd> &pressures) const
+  {
+    // Bodies that do not overlap under their loads do not press: an older traction would only have to decay.
+    const bool overlaps = !problem_.pressures(loads.response).isZero(0.);
+    return pressures && overlaps ? respond_to(compliance_, loads, *pressures)
+                                 : initial_guess(problem_, compliance_, loads, parameters_.initial_guess);
+  }
+
   SchemeResult NeumannScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                                     const StepObserver &observer) const
   {

@@ -3,6 +3,7 @@
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/decomposition/schemes/newton.h>
 #include <abut/decomposition/schemes/pivoting.h>
+#include <abut/scene/scheme_entry.h>
 
 #include <algorithm>
 
@@ -149,4 +150,23 @@ namespace abut
       state = {result.traction, pivots.state.motions};
     }
   }
+
+  namespace
+  {
+    SchemeEntry newton_entry()
+    {
+      SchemeEntry entry{"newton", "primal-dual active set, a few steps whatever penalty and stiffness ratio"};
+      entry.expected_solves = [](const DecompositionParameters & /*parameters*/,
+                                 const std::size_t n_motions) {
+        constexpr double of_active_sets = 40.; // right sides
+        return of_active_sets * static_cast<double>(1 + n_motions);
+      };
+      entry.make = [](const SchemeSetting &setting) -> std::unique_ptr<Scheme> {
+        return std::make_unique<NewtonScheme>(*setting.system, setting.parameters);
+      };
+      return entry;
+    }
+
+    const Registered<SchemeEntry> registered_newton(newton_entry());
+  } // namespace
 } // namespace abut

@@ -20,6 +20,9 @@ namespace abut
     NeumannScheme(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                   const DecompositionParameters &parameters, double relaxation);
 
+    /// The response to the pressures; without pressures that push, that of the scene's initial guess.
+    InterfaceState first_state(const InterfaceProblem::Loads &loads,
+                               const std::optional<Eigen::VectorXd> &pressures) const override;
     SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                        const StepObserver &observer) const override;
 
@@ -58,6 +61,9 @@ namespace abut
   /// pressures: then one sentence, else nothing.
   std::string accident_message(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                                double relaxation, const Eigen::VectorXd &pressures);
+
+  /// gamma: the scene's, or made from the largest eigenvalue.
+  double choose_relaxation(const InterfaceProblem &problem, const DecompositionParameters &parameters);
 
   /// gamma = 2 / (1 + lambda_max): equal damping of the slowest and the fastest error.
   double automatic_relaxation(double largest_eigenvalue);
