@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/sparse_cholesky.h>
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/decomposition/pushed_bodies.h>
@@ -15,7 +14,6 @@ namespace abut
 {
   Simulation::Simulation(const Scene &scene) : scene_(scene)
   {
-    use_one_blas_thread();
     {
       const Stopwatch watch(reference_time_);
       exact_ = make_exact_solution(scene);
