@@ -4,8 +4,10 @@
 // pass.
 
 #include <abut/base/stopwatch.h>
+#include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/initial_guess.h>
 #include <abut/decomposition/schemes/neumann.h>
+#include <abut/decomposition/schemes/neumann_step.h>
 #include <abut/decomposition/spectrum.h>
 #include <abut/run/simulation.h>
 
@@ -119,11 +121,11 @@ namespace abut
       const double gamma = choose_relaxation(problem, scene_.decomposition);
 
       const Eigen::VectorXd response = problem.observe(traces(bodies(), state.displacements));
-      const Eigen::VectorXd pressures = problem.pressures(response);
-      const std::vector<Eigen::VectorXd> solved = respond(bodies(), problem, pressures); // u~ of (20)
-      for (std::size_t a = 0; a < solved.size(); ++a)                                    // (21)
-        next.displacements.push_back(gamma * solved[a] + (1. - gamma) * state.displacements[a]);
-      next.pressures = gamma * pressures + (1. - gamma) * state.pressures.cwiseMax(0.);
+      const auto answer = [&](const Eigen::VectorXd &p) { return respond(bodies(), problem, p); };
+      auto [pressures, solved, moved] =
+          take_neumann_step(problem, gamma, state.displacements, response, answer);
+      next.displacements = std::move(moved);
+      next.pressures = relaxed(gamma, pressures, state.pressures.cwiseMax(0.));
 
       SchemeResult &iteration = results.iteration;
       iteration.traction = state_is_field_ ? next.pressures : pressures;
@@ -138,8 +140,7 @@ namespace abut
       if (state_is_field_)
         iteration.iteration_error = relative(energy_distance(bodies(), solved, state.displacements), norm);
       if (observer.step)
-        observer.step({1, iteration.increment, iteration.iteration_error, problem.weights().dot(pressures),
-                       pressures.size() > 0 ? pressures.maxCoeff() : 0.});
+        observer.step(step_record(problem, 1, iteration.increment, iteration.iteration_error, pressures));
     }
     evaluate(results);
     return next;

@@ -3,6 +3,7 @@
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/decomposition/interface_solver.h>
+#include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/report/atomic_file.h>
 #include <abut/run/model.h>
