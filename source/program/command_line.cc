@@ -4,6 +4,7 @@
 #include <abut/program/command_line.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/console.h>
+#include <abut/report/describe.h>
 #include <abut/report/progress.h>
 #include <abut/report/write_all.h>
 #include <abut/run/simulation.h>
@@ -157,7 +158,7 @@ namespace abut
         return run_scene(scene, options.quiet, out, err);
       const Simulation simulation(scene);
       print_warnings(err, scene, simulation.input_warnings());
-      simulation.describe(out);
+      describe(simulation, out);
       simulation.check_supports();
       return ExitStatus::converged;
     }

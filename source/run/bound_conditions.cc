@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/run/bound_conditions.h>
+#include <abut/run/estimate.h>
 #include <abut/run/part_cells.h>
 
 namespace abut
@@ -8,16 +9,10 @@ namespace abut
   {
     std::string of_estimator(const AdaptationParameters &parameters)
     {
-      if (parameters.estimator != EstimatorKind::fe_be)
-        return "only Estimator = fe-be bounds the error, this one compares the finite elements with "
-               "themselves";
-      if (parameters.combined)
-        return "in the combined algorithm the boundary elements answer the pressures before the last step";
-      if (parameters.boundary_solution == BoundarySolution::finite_element_trace ||
-          parameters.boundary_solution == BoundarySolution::constant_traction)
-        return "these boundary elements (Boundary solution) are no better than the finite elements where the "
-               "stress is large";
-      return "";
+      const std::string reason = why_not_by_law(parameters);
+      if (reason.empty() && parameters.boundary_solution == BoundarySolution::constant_traction)
+        return coarse_boundary_elements;
+      return reason;
     }
 
     std::string of_bodies(const std::vector<BodyResult> &bodies)
@@ -54,10 +49,10 @@ namespace abut
     }
   } // namespace
 
-  std::string why_no_bound(const Scene &scene, const Results &results)
+  std::string why_no_bound(const Scene &scene, const Solution &solution)
   {
     for (const std::string &reason :
-         {of_estimator(scene.adaptation), of_bodies(results.bodies), of_pairs(results.pairs)})
+         {of_estimator(scene.adaptation), of_bodies(solution.bodies), of_pairs(solution.pairs)})
       if (!reason.empty())
         return reason;
     return "";

@@ -154,8 +154,7 @@ namespace abut
       throw UserError(file + ": Contacts: received an empty list, schemes are compared on contacts");
     const auto exact = make_exact_solution(scene); // conditions may refer to it
     Model model(scene, exact.get());
-    Times times;
-    model.prepare(times);
+    model.prepare();
     const Loads loads = model.problem().loads(0.);
     DecompositionParameters parameters = scene.decomposition;
     parameters.stopping_rule = StoppingRule::bound;

@@ -158,8 +158,9 @@ namespace abut
   std::vector<Eigen::VectorXd> FiniteElementBody::adapt(const CellMarks &marks,
                                                         const std::vector<Eigen::VectorXd> &fields)
   {
+    const unsigned int before = mesh_version();
     std::vector<Eigen::VectorXd> carried = space_->adapt(marks, fields);
-    if (space_->n_meshes() == counters_.meshes)
+    if (mesh_version() == before)
       return carried;
     cholesky_.reset();
     set_up();
