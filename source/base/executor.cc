@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/executor.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <tbb/parallel_for.h>
 
 // Exported by OpenBLAS alone: with another BLAS the address is null.
@@ -20,6 +22,7 @@ namespace abut
 
   void for_each(const std::size_t n, const std::function<void(std::size_t)> &f)
   {
+    Assert(f, dealii::ExcMessage("there is a function to run"));
     [[maybe_unused]] static const bool once = use_one_blas_thread();
     tbb::parallel_for(std::size_t(0), n, f);
   }

@@ -47,6 +47,7 @@ namespace abut
   {
     if (!mismatch)
       return {};
+    AssertDimension(mismatch->responses.size(), errors.size());
     double square = 0.;
     for (std::size_t a = 0; a < errors.size(); ++a)
       square += std::pow(errors[a].energy.norm() + std::sqrt(mismatch->responses[a]), 2);

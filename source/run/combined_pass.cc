@@ -84,6 +84,8 @@ namespace abut
                                const RunObserver &observer, PassOutcome &outcome) const
   {
     const InterfaceProblem &problem = setup_.model.problem();
+    AssertDimension(state.displacements.size(), problem.bodies().size());
+    AssertDimension(state.pressures.size(), problem.n_pressures());
     const double gamma = choose_relaxation(problem, setup_.scene.decomposition);
     const Eigen::VectorXd response = observe(setup_.model, state.displacements);
     NeumannStep<Fields> step =

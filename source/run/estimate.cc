@@ -130,6 +130,7 @@ namespace abut
   std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,
                                   const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs)
   {
+    AssertDimension(bodies.size(), scene.bodies.size());
     std::vector<CellMarks> marks;
     for (std::size_t a = 0; a < bodies.size(); ++a)
       marks.push_back(scene.bodies[a].adapt ? mark(estimation.errors[a], estimation.eta[a], scene.adaptation)

@@ -59,6 +59,8 @@ namespace abut
                          const std::optional<CarriedState> &carried)
   {
     const Solution &solution = outcome.solution;
+    AssertDimension(solution.bodies.size(), setup.model.bodies().size());
+    AssertDimension(solution.pairs.size(), setup.model.pairs().size());
     PassRecord record;
     record.counts = setup.model.counts();
     for (const auto &body : setup.model.bodies())

@@ -46,6 +46,8 @@ namespace abut
   {
     if (record.answered == nullptr)
       return {};
+    Assert(record.applied != nullptr && setup_.indicator != nullptr,
+           dealii::ExcMessage("an estimate needs pressures and an indicator"));
     std::vector<BodyResult> bodies;
     Estimation estimation;
     {

@@ -13,6 +13,8 @@
 #include <abut/results/warning.h>
 #include <abut/scene/scene.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <limits>
 #include <map>
 #include <optional>
@@ -58,8 +60,16 @@ namespace abut
     /// Overlap far from any part that presses: contact smaller than a part.
     std::vector<MissedContact> missed;
 
-    const Part &part(const std::size_t k) const { return surface->partition().parts()[k]; }
-    bool presses(const std::size_t k) const { return loads[static_cast<Eigen::Index>(k)] > round_off; }
+    const Part &part(const std::size_t k) const
+    {
+      AssertIndexRange(k, surface->partition().parts().size());
+      return surface->partition().parts()[k];
+    }
+    bool presses(const std::size_t k) const
+    {
+      AssertIndexRange(k, static_cast<std::size_t>(loads.size()));
+      return loads[static_cast<Eigen::Index>(k)] > round_off;
+    }
   };
 
   /// Relative errors against the exact solution that the scene names.
