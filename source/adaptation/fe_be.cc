@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
 #include <abut/adaptation/fe_be.h>
-
-#include <chrono>
+#include <abut/base/stopwatch.h>
 
 namespace abut
 {
@@ -30,9 +29,11 @@ namespace abut
       kept_.erase(&body);
     }
     ++cost.models;
-    const auto start = std::chrono::steady_clock::now();
-    auto model = std::make_shared<const BoundaryModel>(as_finite_elements(body, asked), kind_);
-    cost.assemble = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::shared_ptr<const BoundaryModel> model;
+    {
+      const Stopwatch watch(cost.assemble);
+      model = std::make_shared<const BoundaryModel>(as_finite_elements(body, asked), kind_);
+    }
     const std::lock_guard<std::mutex> lock(mutex_);
     kept_[&body] = {body.mesh_version(), model};
     return model;

@@ -4,9 +4,6 @@
 
 #include <Eigen/CholmodSupport>
 
-// Exported by OpenBLAS alone: with another BLAS the address is null.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-
 namespace abut
 {
   struct SparseCholesky::Factor
@@ -33,11 +30,5 @@ namespace abut
   Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_sides) const
   {
     return factor_->cholesky.solve(right_sides);
-  }
-
-  void use_one_blas_thread()
-  {
-    if (openblas_set_num_threads != nullptr)
-      openblas_set_num_threads(1);
   }
 } // namespace abut

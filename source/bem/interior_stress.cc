@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/executor.h>
 #include <abut/bem/interior_stress.h>
 
 #include <algorithm>
@@ -6,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
 
 namespace abut
 {
@@ -78,7 +78,7 @@ namespace abut
   {
     std::vector<Stress> stresses(points.size());
     const std::size_t n_tiles = (points.size() + stress_tile - 1) / stress_tile;
-    tbb::parallel_for(std::size_t(0), n_tiles, [&](const std::size_t tile) {
+    for_each(n_tiles, [&](const std::size_t tile) {
       const std::size_t first = tile * stress_tile;
       evaluate(&points[first], std::min(stress_tile, points.size() - first), &stresses[first]);
     });

@@ -157,7 +157,7 @@ namespace abut
     {
       const Trace &side = result.body->contact_sides().front();
       const Placement &placement = result.body->description().placement;
-      const Eigen::VectorXd traction = applied_traction(side, result.contact_forces);
+      const Eigen::VectorXd traction = applied_traction(side, result.estimate_forces);
       const auto own_x = [&](const unsigned int node) {
         return std::clamp(placement.point_to_own(side.node_points()[node]).x(), 0., length);
       };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/executor.h>
 #include <abut/comparison/stress_samples.h>
-
-#include <tbb/parallel_for.h>
 
 namespace abut
 {
@@ -29,8 +28,7 @@ namespace abut
   std::vector<Stress> at_samples(const OwnStress &exact, const std::vector<StressSample> &samples)
   {
     std::vector<Stress> stresses(samples.size());
-    tbb::parallel_for(std::size_t(0), samples.size(),
-                      [&](const std::size_t i) { stresses[i] = exact(samples[i].own_point); });
+    for_each(samples.size(), [&](const std::size_t i) { stresses[i] = exact(samples[i].own_point); });
     return stresses;
   }
 } // namespace abut

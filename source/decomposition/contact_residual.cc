@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/contact_residual.h>
-#include <abut/decomposition/schemes/neumann.h>
+#include <abut/decomposition/measures.h>
 
 #include <algorithm>
 #include <cmath>

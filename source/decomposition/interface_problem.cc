@@ -2,7 +2,6 @@
 #include <abut/decomposition/interface_problem.h>
 
 #include <algorithm>
-#include <tbb/parallel_for.h>
 
 namespace abut
 {
@@ -32,11 +31,6 @@ namespace abut
         }
     }
   } // namespace
-
-  void for_each_body(const std::size_t n_bodies, const std::function<void(std::size_t)> &f)
-  {
-    tbb::parallel_for(std::size_t(0), n_bodies, f);
-  }
 
   InterfaceProblem::InterfaceProblem(const std::vector<const TraceBody *> &bodies,
                                      const std::vector<ContactSurface> &surfaces)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/program/command_line.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/console.h>
+#include <abut/report/describe.h>
 #include <abut/report/progress.h>
 #include <abut/report/write_all.h>
 #include <abut/run/simulation.h>
@@ -12,7 +14,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <iostream>
 #include <unistd.h>
 
@@ -94,10 +95,7 @@ namespace abut
 
     int run_scene(const Scene &scene, const bool quiet, std::ostream &out, std::ostream &err)
     {
-      using Clock = std::chrono::steady_clock;
-      const auto start = Clock::now();
-      const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-
+      const WallClock clock;
       Simulation simulation(scene);
       simulation.check_supports();
       make_output_directory(scene.output_directory);
@@ -110,19 +108,19 @@ namespace abut
         progress.begin_pass(pass, counts);
       };
       observer.step = [&](const StepRecord &record) {
-        history.add(record, seconds());
+        history.add(record, clock.seconds());
         progress.step(record);
       };
       observer.estimate = [&](const StepEstimate &estimate) { history.add(estimate); };
       observer.end_pass = [&](const PassRecord &record) { history.end_pass(record); };
       Results results = simulation.run(observer);
       progress.finish();
-      const Written written = write_all(results, history, scene.output_directory, seconds());
+      const Written written = write_all(results, history, scene.output_directory, clock.seconds());
       results.times.output = written.seconds;
       results.left_out.insert(results.left_out.end(), written.left_out.begin(), written.left_out.end());
       print_warnings(err, scene, results.warnings);
       if (!quiet)
-        print_results(out, results, scene.output_directory, seconds());
+        print_results(out, results, scene.output_directory, clock.seconds());
       if (results.converged())
         return ExitStatus::converged;
       err << "abut: " << scene.file << ": " << results.message() << ". The results in "
@@ -160,7 +158,7 @@ namespace abut
         return run_scene(scene, options.quiet, out, err);
       const Simulation simulation(scene);
       print_warnings(err, scene, simulation.input_warnings());
-      simulation.describe(out);
+      describe(simulation, out);
       simulation.check_supports();
       return ExitStatus::converged;
     }

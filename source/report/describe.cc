@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/run/simulation.h>
+#include <abut/report/describe.h>
 
 #include <ostream>
 
@@ -43,13 +43,13 @@ namespace abut
     }
   } // namespace
 
-  void Simulation::describe(std::ostream &out) const
+  void describe(const Simulation &simulation, std::ostream &out)
   {
-    for (const auto &body : bodies())
+    for (const auto &body : simulation.bodies())
       describe_body(*body, out);
-    for (std::size_t i = 0; i < pairs().size(); ++i)
-      describe_pair(*pairs()[i], scene_.contacts[i], out);
-    out << "In all: " << bodies().size() << " bodies, " << pairs().size() << " contacts, " << counts().dofs
-        << " unknowns\n";
+    for (std::size_t i = 0; i < simulation.pairs().size(); ++i)
+      describe_pair(*simulation.pairs()[i], simulation.scene().contacts[i], out);
+    out << "In all: " << simulation.bodies().size() << " bodies, " << simulation.pairs().size()
+        << " contacts, " << simulation.counts().dofs << " unknowns\n";
   }
 } // namespace abut

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/counts.h>
+#include <abut/base/libraries.h>
 #include <abut/mesh/quality.h>
 #include <abut/report/json.h>
 #include <abut/report/pass_summary.h>
@@ -10,8 +11,6 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <cmath>
-#include <mpi.h>
-#include <p4est_base.h>
 #include <sys/resource.h>
 
 namespace abut
@@ -144,13 +143,6 @@ namespace abut
       return static_cast<double>(usage.ru_maxrss) / 1024.; // KiB on Linux
     }
 
-    bool mpi_is_initialised()
-    {
-      int initialised = 0;
-      MPI_Initialized(&initialised);
-      return initialised != 0;
-    }
-
     Json counter_summary(const Results &results)
     {
       Json bodies = Json::object();
@@ -164,7 +156,7 @@ namespace abut
       }
       return {{"bodies", bodies},
               {"mpi_initialised", mpi_is_initialised()},
-              {"p4est_initialised", p4est_package_id >= 0}};
+              {"p4est_initialised", p4est_is_initialised()}};
     }
 
     Json version_summary()

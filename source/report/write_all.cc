@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/stopwatch.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/contact_csv.h>
 #include <abut/report/picture.h>
@@ -8,7 +9,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <filesystem>
 
 namespace abut
@@ -43,23 +43,33 @@ namespace abut
       std::filesystem::remove(std::filesystem::path(directory) / stale, ignored);
   }
 
+  namespace
+  {
+    /// All files but summary.json, which tells how long they took; returns what was left out.
+    std::vector<std::string> write_all_but_summary(const Results &results, const History &history,
+                                                   const std::filesystem::path &folder)
+    {
+      write_file(folder / "parameters.prm", results.scene->parameters);
+      write_file(folder / "history.csv", history.csv());
+      for (const PairResult &pair : results.pairs)
+        write_file(folder / ("contact_" + pair.pair->name() + ".csv"), contact_csv(pair));
+      write_fields(results, folder);
+      if (!write_picture(results, folder))
+        return {"solution.svg: too many cells for a picture"};
+      return {};
+    }
+  } // namespace
+
   Written write_all(const Results &results, const History &history, const std::string &directory,
                     const double total_seconds)
   {
-    const auto start = std::chrono::steady_clock::now();
     const std::filesystem::path folder(directory);
-    remove_old_results(directory);
-
     Written written;
-    write_file(folder / "parameters.prm", results.scene->parameters);
-    write_file(folder / "history.csv", history.csv());
-    for (const PairResult &pair : results.pairs)
-      write_file(folder / ("contact_" + pair.pair->name() + ".csv"), contact_csv(pair));
-    write_fields(results, folder);
-    if (!write_picture(results, folder))
-      written.left_out.push_back("solution.svg: too many cells for a picture");
-
-    written.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    {
+      const Stopwatch watch(written.seconds);
+      remove_old_results(directory);
+      written.left_out = write_all_but_summary(results, history, folder);
+    }
     nlohmann::ordered_json json = summary(results, total_seconds + written.seconds);
     json["time_s"]["output"] = results.times.output + written.seconds;
     for (const std::string &file : written.left_out)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/results/estimation.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,6 +47,7 @@ namespace abut
   {
     if (!mismatch)
       return {};
+    AssertDimension(mismatch->responses.size(), errors.size());
     double square = 0.;
     for (std::size_t a = 0; a < errors.size(); ++a)
       square += std::pow(errors[a].energy.norm() + std::sqrt(mismatch->responses[a]), 2);
@@ -87,11 +90,10 @@ namespace abut
 
   double Estimation::eta_max(const Scene &scene) const
   {
-    const bool some_adapt = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                        [](const BodyDescription &body) { return body.adapt; });
+    AssertDimension(eta.size(), scene.bodies.size());
     double largest = 0.;
     for (std::size_t a = 0; a < eta.size(); ++a)
-      if (scene.bodies[a].adapt || !some_adapt)
+      if (scene.bodies[a].adapt || !scene.adapts())
         largest = std::max(largest, eta[a].maxCoeff());
     return largest;
   }

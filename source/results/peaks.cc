@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/results/peaks.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,6 +32,7 @@ namespace abut
   BodyPeaks find_peaks(const Body &body, const Eigen::VectorXd &displacement,
                        const Eigen::VectorXd &deformation, const std::vector<Vector2> &singular_vertices)
   {
+    AssertDimension(displacement.size(), deformation.size());
     BodyPeaks peaks;
     Vector2 low = Vector2::Constant(std::numeric_limits<double>::infinity()), high = -low;
     body.visit_displacement(displacement, SamplePoints::output,

@@ -8,16 +8,10 @@ namespace abut
   {
     std::string of_estimator(const AdaptationParameters &parameters)
     {
-      if (!Registry<EstimatorEntry>::get().find(parameters.estimator).has_boundary_elements)
-        return "only Estimator = " + estimators_with_boundary_elements() +
-               " bounds the error, this one compares the finite elements with themselves";
-      if (parameters.combined)
-        return "in the combined algorithm the boundary elements answer the pressures before the last step";
-      if (parameters.boundary_solution == BoundarySolution::finite_element_trace ||
-          parameters.boundary_solution == BoundarySolution::constant_traction)
-        return "these boundary elements (Boundary solution) are no better than the finite elements where the "
-               "stress is large";
-      return "";
+      const std::string reason = parameters.why_not_by_law();
+      if (reason.empty() && parameters.boundary_solution == BoundarySolution::constant_traction)
+        return coarse_boundary_elements;
+      return reason;
     }
 
     std::string of_bodies(const std::vector<BodyResult> &bodies)
@@ -54,10 +48,10 @@ namespace abut
     }
   } // namespace
 
-  std::string why_no_bound(const Scene &scene, const Results &results)
+  std::string why_no_bound(const Scene &scene, const Solution &solution)
   {
     for (const std::string &reason :
-         {of_estimator(scene.adaptation), of_bodies(results.bodies), of_pairs(results.pairs)})
+         {of_estimator(scene.adaptation), of_bodies(solution.bodies), of_pairs(solution.pairs)})
       if (!reason.empty())
         return reason;
     return "";

@@ -8,23 +8,16 @@ namespace abut
 {
   namespace
   {
-    /// The entries of a vector over a body's contact sides that belong to one of them.
-    Eigen::VectorXd on_side(const ContactBody &side, const BodyResult &result, const Eigen::VectorXd &trace)
-    {
-      return trace.segment(result.body->trace_offset(side.side),
-                           static_cast<Eigen::Index>(2 * side.trace->n_nodes()));
-    }
-
     void add_mismatch(const ContactPair &pair, const std::vector<bool> &near,
                       const std::vector<BodyResult> &bodies, ContactMismatch &sum)
     {
       const auto displacement = [&](const ContactBody &side) {
         const BodyResult &result = bodies[side.body];
-        return on_side(side, result, result.body->trace_of(result.displacement));
+        return result.body->of_side(result.body->trace_of(result.displacement), side.side);
       };
       const auto traction = [&](const ContactBody &side) {
         const BodyResult &result = bodies[side.body];
-        return applied_traction(*side.trace, on_side(side, result, result.contact_forces));
+        return applied_traction(*side.trace, result.body->of_side(result.estimate_forces, side.side));
       };
       const ContactBody &cut = pair.cut_side(), &other = pair.other_side();
       const LawMismatch mismatch = law_mismatch(pair, near, {displacement(cut), displacement(other)},
@@ -56,12 +49,14 @@ namespace abut
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
                       const std::vector<BodyResult> &bodies)
   {
+    for ([[maybe_unused]] const BodyResult &body : bodies)
+      AssertDimension(body.estimate_forces.size(), body.body->trace_size());
     Estimation estimation;
     estimation.errors.resize(bodies.size());
     estimation.eta.resize(bodies.size());
     for_each_body(bodies.size(), [&](const std::size_t a) {
       estimation.errors[a] =
-          indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].contact_forces});
+          indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].estimate_forces});
       estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
     });
     return estimation;
@@ -70,6 +65,8 @@ namespace abut
   ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,
                                    const std::vector<BodyResult> &bodies)
   {
+    AssertDimension(pressures.size(), problem.n_pressures());
+    AssertDimension(bodies.size(), problem.bodies().size());
     ContactMismatch sum{0., std::vector<double>(bodies.size(), 0.)};
     for (std::size_t surface = 0; surface < problem.surfaces().size(); ++surface)
     {
@@ -84,9 +81,44 @@ namespace abut
     return sum;
   }
 
+  namespace
+  {
+    /// Pressures that the contact law makes of the displacement; without a penalty any that push satisfy it
+    /// as far as they meet no gap.
+    Eigen::VectorXd pressures_by_law(const InterfaceProblem &problem, const SchemeResult &iteration)
+    {
+      // Only those of the solution balance what floats; the estimate holds for all that push.
+      if (iteration.motions.size() > 0)
+        return iteration.traction;
+      return (problem.penalties().array() > 0.)
+          .select(problem.pressures(iteration.response), iteration.traction);
+    }
+  } // namespace
+
+  Estimation estimate_solution(const Setup &setup, Solution &solution)
+  {
+    Assert(setup.indicator != nullptr, dealii::ExcMessage("nothing is to be estimated"));
+    const InterfaceProblem &problem = setup.model.problem();
+    const bool by_law = setup.scene.adaptation.estimates_by_law();
+    const Eigen::VectorXd pressures =
+        by_law ? pressures_by_law(problem, solution.iteration) : solution.iteration.traction;
+    for (std::size_t a = 0; a < solution.bodies.size(); ++a)
+      solution.bodies[a].estimate_forces = problem.contact_forces(a, pressures);
+    Estimation estimation = estimate(*setup.indicator, setup.scene.adaptation, solution.bodies);
+    if (by_law)
+      estimation.mismatch = contact_mismatch(problem, pressures, solution.bodies);
+    for (std::size_t a = 0; a < solution.bodies.size(); ++a)
+    {
+      solution.bodies[a].eta = estimation.eta[a];
+      solution.bodies[a].better = estimation.errors[a].better;
+    }
+    return estimation;
+  }
+
   std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,
                                   const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs)
   {
+    AssertDimension(bodies.size(), scene.bodies.size());
     std::vector<CellMarks> marks;
     for (std::size_t a = 0; a < bodies.size(); ++a)
       marks.push_back(scene.bodies[a].adapt ? mark(estimation.errors[a], estimation.eta[a], scene.adaptation)

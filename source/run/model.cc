@@ -86,7 +86,7 @@ namespace abut
     return sum;
   }
 
-  void Model::prepare(Times &times)
+  PreparationTimes Model::prepare()
   {
     std::vector<PreparationTimes> of_body(bodies_.size());
     for_each_body(bodies_.size(), [&](const std::size_t a) {
@@ -94,11 +94,10 @@ namespace abut
         of_body[a] = bodies_[a]->prepare();
     });
     is_prepared_.assign(bodies_.size(), true);
-    PreparationTimes longest; // side by side
+    PreparationTimes longest;
     for (const PreparationTimes &t : of_body)
       longest = {std::max(longest.assemble, t.assemble), std::max(longest.factorise, t.factorise)};
-    times.assemble += longest.assemble;
-    times.factorise += longest.factorise;
+    return longest;
   }
 
   bool Model::is_new(const ContactSurface &surface) const
@@ -108,9 +107,12 @@ namespace abut
     });
   }
 
-  CarriedState Model::adapt(const std::vector<CellMarks> &marks, const CarriedState &state)
+  Adapted Model::adapt(const std::vector<CellMarks> &marks, const CarriedState &state)
   {
-    CarriedState carried = state;
+    AssertDimension(marks.size(), bodies_.size());
+    AssertDimension(state.displacements.size(), bodies_.size());
+    AssertDimension(state.pressures.size(), problem_->n_pressures());
+    Adapted adapted{state};
     std::vector<PressureProfile> profiles; // before the sides change
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
       profiles.emplace_back(surfaces_[k], problem_->of_surface(k, state.pressures));
@@ -119,18 +121,20 @@ namespace abut
       if (!marks[a].any())
         continue;
       const unsigned int version_before = bodies_[a]->mesh_version();
-      carried.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
-      if (bodies_[a]->mesh_version() != version_before)
-        is_prepared_[a] = false;
+      adapted.state.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
+      if (bodies_[a]->mesh_version() == version_before)
+        continue;
+      is_prepared_[a] = false;
+      adapted.some_mesh_changed = true;
     }
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
       if (is_new(surfaces_[k]))
         surfaces_[k] = make_surface(groups_[k]);
     make_problem();
-    carried.pressures.resize(problem_->n_pressures());
+    adapted.state.pressures.resize(problem_->n_pressures());
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
-      carried.pressures.segment(problem_->pressure_offset(k), surfaces_[k].n_multipliers()) =
+      adapted.state.pressures.segment(problem_->pressure_offset(k), surfaces_[k].n_multipliers()) =
           profiles[k].on_parts_of(surfaces_[k]);
-    return carried;
+    return adapted;
   }
 } // namespace abut

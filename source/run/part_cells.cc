@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/run/part_cells.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace abut
 {
   bool is_at_symmetry(const ContactSurface &surface, const std::size_t part, const std::size_t end)
   {
+    AssertIndexRange(part, surface.partition().parts().size());
+    AssertIndexRange(end, 2);
     const Piece *outermost = nullptr;
     for (const Piece &piece : surface.partition().pieces())
       if (piece.part == part && (!outermost || (piece.arc > outermost->arc) == (end == 1)))
         outermost = &piece;
+    Assert(outermost != nullptr, dealii::ExcMessage("a part has pieces"));
     const auto pair = std::find_if(surface.pairs().begin(), surface.pairs().end(),
                                    [&](const ContactPair &p) { return p.link() == outermost->link; });
     const Trace &cut = *pair->cut_side().trace, &other = *pair->other_side().trace;

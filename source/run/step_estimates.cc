@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/stopwatch.h>
 #include <abut/run/step_estimates.h>
 
 #include <cmath>
 
 namespace abut
 {
-  StepEstimates::StepEstimates(const Scene &scene, const Model &model, const Indicator *indicator,
-                               const ExactSolution *exact)
-      : scene_(scene), model_(model), indicator_(indicator), exact_(exact)
-  {}
-
   std::vector<BodyResult> StepEstimates::bodies_at(const StepRecord &record) const
   {
-    const InterfaceProblem &problem = model_.problem();
-    std::vector<BodyResult> results(model_.bodies().size());
+    const InterfaceProblem &problem = setup_.model.problem();
+    std::vector<BodyResult> results(setup_.model.bodies().size());
     for_each_body(results.size(), [&](const std::size_t a) {
-      const Body &body = *model_.bodies()[a];
+      const Body &body = *setup_.model.bodies()[a];
       results[a].body = &body;
-      results[a].deformation = body.deformation(problem.contact_forces(a, *record.answered), 0.);
+      results[a].contact_forces = problem.contact_forces(a, *record.answered);
+      results[a].deformation = body.deformation(results[a].contact_forces, 0.);
       results[a].displacement = results[a].deformation + body.rigid_motion(0.);
-      results[a].contact_forces = problem.contact_forces(a, *record.applied);
+      results[a].estimate_forces = problem.contact_forces(a, *record.applied);
     });
     return results;
   }
@@ -30,7 +25,7 @@ namespace abut
     Norms squares{0., 0.};
     for (std::size_t a = 0; a < bodies.size(); ++a)
     {
-      const OwnStress stress = exact_ == nullptr ? OwnStress() : exact_->stress(a);
+      const OwnStress stress = setup_.exact == nullptr ? OwnStress() : setup_.exact->stress(a);
       if (!stress)
         return {};
       const std::vector<StressSample> samples = stress_samples(bodies[a], SamplePoints::comparison);
@@ -47,20 +42,22 @@ namespace abut
     return Norms{std::sqrt(squares.error), std::sqrt(squares.exact)};
   }
 
-  std::optional<StepEstimate> StepEstimates::at(const StepRecord &record)
+  std::optional<StepEstimate> StepEstimates::at(const StepRecord &record, Stopwatch &solving)
   {
     if (record.answered == nullptr)
       return {};
+    Assert(record.applied != nullptr && setup_.indicator != nullptr,
+           dealii::ExcMessage("an estimate needs pressures and an indicator"));
     std::vector<BodyResult> bodies;
     Estimation estimation;
     {
-      const Stopwatch watch(estimate_seconds_);
+      const Stopwatch watch(times_.estimate, solving);
       bodies = bodies_at(record);
-      estimation = estimate(*indicator_, scene_.adaptation, bodies);
-      estimation.mismatch = contact_mismatch(model_.problem(), *record.applied, bodies);
+      estimation = estimate(*setup_.indicator, setup_.scene.adaptation, bodies);
+      estimation.mismatch = contact_mismatch(setup_.model.problem(), *record.applied, bodies);
       boundary_cost_ += estimation.boundary_cost();
     }
-    const Stopwatch watch(reference_seconds_);
+    const Stopwatch watch(times_.reference, solving);
     StepEstimate result{estimation.discretisation(), estimation.bound(), {}, {}, {}};
     const auto norms = true_error(bodies);
     if (!norms || !(norms->exact > 0.) || !(norms->error > 0.))

@@ -69,10 +69,16 @@ namespace abut
         [](const EstimatorEntry &entry) { return entry.has_boundary_elements; }, " or ");
   }
 
-  bool AdaptationParameters::estimates_by_law() const
+  std::string AdaptationParameters::why_not_by_law() const
   {
-    return entry_of(*this).has_boundary_elements && !combined &&
-           boundary_solution != BoundarySolution::finite_element_trace;
+    if (!entry_of(*this).has_boundary_elements)
+      return "only Estimator = " + estimators_with_boundary_elements() +
+             " bounds the error, this one compares the finite elements with themselves";
+    if (combined)
+      return "in the combined algorithm the boundary elements answer the pressures before the last step";
+    if (boundary_solution == BoundarySolution::finite_element_trace)
+      return coarse_boundary_elements;
+    return {};
   }
 
   void AdaptationParameters::declare(dealii::ParameterHandler &prm)

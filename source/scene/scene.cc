@@ -288,4 +288,9 @@ namespace abut
         std::find_if(bodies.begin(), bodies.end(), [&](const auto &body) { return body.name == name; }) -
         bodies.begin());
   }
+
+  bool Scene::adapts() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [](const BodyDescription &body) { return body.adapt; });
+  }
 } // namespace abut

@@ -62,6 +62,7 @@ namespace abut
       const BodyResult &result = state.results.bodies[body];
       ObservedPass pass;
       pass.record = state.results.passes.back();
+      pass.estimate_seconds = pass.record.cost.estimate;
       pass.counts = result.body->counts();
       pass.boundary_unknowns = boundary_unknowns(state.estimation, body);
       if (body < state.estimation.errors.size())
@@ -84,13 +85,10 @@ namespace abut
     const std::size_t body = body_of_interest(scene);
     ObservedRun run;
     run.name = name;
-    double estimated = 0.; // seconds
     Simulation simulation(scene);
     RunObserver observer;
     observer.state = [&](const PassState &state) {
       run.passes.push_back(observe_pass(state, body, monitored));
-      run.passes.back().estimate_seconds = state.results.times.estimate - estimated;
-      estimated = state.results.times.estimate;
     };
     run.converged = simulation.run(observer).converged();
     return run;

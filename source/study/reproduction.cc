@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
+#include <abut/base/user_error.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/plot.h>
 #include <abut/study/paper_figures.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
-#include <abut/base/sparse_cholesky.h>
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/decomposition/interface_solver.h>
+#include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/report/atomic_file.h>
 #include <abut/run/model.h>
@@ -164,11 +164,9 @@ namespace abut
     const Scene scene = Scene::read(file, overrides);
     if (scene.contacts.empty())
       throw UserError(file + ": Contacts: received an empty list, schemes are compared on contacts");
-    use_one_blas_thread();
     const auto exact = make_exact_solution(scene); // conditions may refer to it
     Model model(scene, exact.get());
-    Times times;
-    model.prepare(times);
+    model.prepare();
     const Loads loads = model.problem().loads(0.);
     DecompositionParameters parameters = scene.decomposition;
     parameters.stopping_rule = StoppingRule::bound;

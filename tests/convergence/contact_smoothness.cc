@@ -82,8 +82,7 @@ namespace
     Model model(scene, nullptr);
     for (unsigned int pass = 0; pass < c.refined; ++pass)
       refine_by_turns(model, pass);
-    Times times;
-    model.prepare(times);
+    model.prepare();
     const SchemeResult result =
         InterfaceSolver(model.problem(), scene.decomposition).solve(model.problem().loads(0.), {}, {});
     EXPECT_TRUE(result.converged()) << result.message;

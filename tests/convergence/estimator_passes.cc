@@ -56,8 +56,8 @@ namespace
   {
     BodyResult result;
     result.body = &body;
-    result.contact_forces = Eigen::VectorXd::Zero(body.trace_size());
-    result.deformation = body.deformation(result.contact_forces, 0.);
+    result.estimate_forces = Eigen::VectorXd::Zero(body.trace_size());
+    result.deformation = body.deformation(result.estimate_forces, 0.);
     estimation = estimate(indicator, parameters, {result});
     PassRecord pass;
     pass.counts = body.counts();

@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "decomposition_testing.h"
-#include <atomic>
-#include <stdexcept>
 
 using namespace abut;
 
@@ -214,17 +212,4 @@ TEST(DecompositionProblem, LiteralInitialGuessClosesTheGap)
     const Eigen::VectorXd upper = problem.normal_displacements(state.response, 0);
     EXPECT_NEAR(upper[0], 1.366e-3 + .5 * before.minCoeff(), 2e-5);
   }
-}
-
-TEST(DecompositionProblem, BodiesRunSideBySideAndPassOnAFailure)
-{
-  std::atomic<unsigned int> sum{0};
-  for_each_body(4, [&](const std::size_t a) { sum += 1u << a; });
-  EXPECT_EQ(sum, 15u);
-  EXPECT_THROW(for_each_body(3,
-                             [](const std::size_t a) {
-                               if (a == 1)
-                                 throw std::out_of_range("1");
-                             }),
-               std::out_of_range);
 }

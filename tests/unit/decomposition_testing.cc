@@ -23,15 +23,14 @@ namespace abut
   TwoLayers::TwoLayers(const std::vector<std::string> &overrides)
       : scene_(Scene::read(ABUT_SOURCE_DIR "/prm/two-layers.prm", overrides))
   {
-    use_one_blas_thread();
     const ContactDescription &contact = scene_.contacts.front();
     for (const BodyDescription &description : scene_.bodies)
     {
       const bool is_slave = description.name == contact.slave.body;
       const std::string &side = is_slave ? contact.slave.boundary : contact.master.boundary;
       bodies_.push_back(std::make_unique<FiniteElementBody>(description, std::vector<std::string>{side}));
-      bodies_.back()->prepare();
     }
+    for_each_body(bodies_.size(), [&](const std::size_t a) { bodies_[a]->prepare(); });
     const ContactBody slave = contact_body(scene_, bodies_, contact.slave.body);
     const ContactBody master = contact_body(scene_, bodies_, contact.master.body);
     surfaces_.emplace_back(

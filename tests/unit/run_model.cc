@@ -64,11 +64,11 @@ namespace
     const Scene scene = layers({std::string("Discretisation/Degree=") + GetParam()});
     Model model(scene, nullptr);
     const CarriedState before = random_state(model);
-    const CarriedState finer = model.adapt(marks(model, true), before);
+    const CarriedState finer = model.adapt(marks(model, true), before).state;
     EXPECT_GT(finer.pressures.size(), before.pressures.size());
     EXPECT_GE(finer.pressures.minCoeff(), 0.);
     EXPECT_LE(finer.pressures.maxCoeff(), before.pressures.maxCoeff() * (1. + 1e-12));
-    CarriedState back = model.adapt(marks(model, false), finer);
+    CarriedState back = model.adapt(marks(model, false), finer).state;
     // Pressures are means over new parts: back on the old ones those of neighbours are mixed in.
     EXPECT_LT((back.pressures - before.pressures).lpNorm<Eigen::Infinity>(), before.pressures.maxCoeff());
     back.pressures = before.pressures;
@@ -86,7 +86,7 @@ namespace
       return model.problem().weights().dot(state.pressures);
     };
     const double coarse = force(before);
-    EXPECT_NEAR(force(model.adapt(marks(model, true), before)), coarse, 1e-13 * coarse);
+    EXPECT_NEAR(force(model.adapt(marks(model, true), before).state), coarse, 1e-13 * coarse);
   }
 
   TEST(Model, uniform_pressures_stay_uniform)
@@ -95,7 +95,7 @@ namespace
     Model model(scene, nullptr);
     CarriedState state = random_state(model);
     state.pressures.setConstant(3.);
-    state = model.adapt(marks(model, true), state);
+    state = model.adapt(marks(model, true), state).state;
     EXPECT_LT((state.pressures.array() - 3.).abs().maxCoeff(), 1e-13);
   }
 
@@ -106,7 +106,7 @@ namespace
     std::vector<CellMarks> only_lower = marks(model, true);
     only_lower[scene.body_index("upper")] =
         no_marks(model.bodies()[scene.body_index("upper")]->counts().cells);
-    model.adapt(only_lower, random_state(model));
+    EXPECT_TRUE(model.adapt(only_lower, random_state(model)).some_mesh_changed);
     EXPECT_EQ(model.bodies()[scene.body_index("upper")]->counters().meshes, 1u);
     EXPECT_EQ(model.bodies()[scene.body_index("lower")]->counters().meshes, 2u);
   }
@@ -116,7 +116,9 @@ namespace
     const Scene scene = layers();
     Model model(scene, nullptr);
     const CarriedState before = random_state(model);
-    expect_same(model.adapt(marks(model, false), before), before); // nothing to merge on the initial mesh
+    const Adapted adapted = model.adapt(marks(model, false), before); // nothing to merge on the initial mesh
+    EXPECT_FALSE(adapted.some_mesh_changed);
+    expect_same(adapted.state, before);
     for (const auto &body : model.bodies())
       EXPECT_EQ(body->counters().meshes, 1u);
   }
@@ -142,8 +144,7 @@ namespace
         model.adapt(scattered_marks(model, pass), random_state(model));
       for (const auto &body : model.bodies())
         EXPECT_TRUE(space_of(*body).has_hanging_nodes());
-      Times times;
-      model.prepare(times);
+      model.prepare();
       const SchemeResult result =
           InterfaceSolver(model.problem(), scene.decomposition).solve(model.problem().loads(0.), {}, {});
       ASSERT_TRUE(result.converged()) << result.message;
@@ -160,7 +161,6 @@ namespace
     const Scene scene =
         layers({"Contact interface/Penalty coefficient=5e-3", "Decomposition/Scheme=" + GetParam()});
     Model model(scene, nullptr);
-    Times times;
     AdaptationParameters adaptation;
     adaptation.estimator = "zz";
     const auto indicator = make_indicator(adaptation);
@@ -168,7 +168,7 @@ namespace
     unsigned int all_warm = 0, all_cold = 0;
     for (unsigned int pass = 0; pass < 5; ++pass)
     {
-      model.prepare(times);
+      model.prepare();
       const InterfaceSolver solver(model.problem(), scene.decomposition);
       const auto loads = model.problem().loads(0.);
       const SchemeResult cold = solver.solve(loads, {}, {}, 1e-4);
@@ -191,7 +191,7 @@ namespace
         chosen.push_back(mark(errors, relative_errors(errors, Normalisation::rms), scene.adaptation));
         state.displacements.push_back(deformation);
       }
-      state = model.adapt(chosen, state);
+      state = model.adapt(chosen, state).state;
     }
     std::cout << "steps to 1e-4 on four adapted meshes: " << all_warm
               << " with the traction of the mesh before, " << all_cold << " without\n";

@@ -26,8 +26,4 @@ namespace abut
     struct Factor;
     std::unique_ptr<Factor> factor_;
   };
-
-  /// Tells a threaded BLAS (OpenBLAS) to use one thread in each caller, since the bodies already run side by
-  /// side.
-  void use_one_blas_thread();
 } // namespace abut

@@ -5,18 +5,42 @@
 
 namespace abut
 {
-  /// Adds the time until its end of life to a number of seconds.
+  /// Wall-clock time since it was made.
+  class WallClock
+  {
+  public:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+  };
+
+  /**
+   * Adds the wall-clock seconds of its life to a number, e.g. a member of Times, which names what they were
+   * spent on. Within another stopwatch it stops the outer one meanwhile, so that the same second never counts
+   * twice.
+   */
   class Stopwatch
   {
   public:
     explicit Stopwatch(double &seconds) : seconds_(seconds) {}
-    ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+    /// The outer one must outlive this one, and run.
+    Stopwatch(double &seconds, Stopwatch &outer) : seconds_(seconds), outer_(&outer) { outer_->stop(); }
+    ~Stopwatch()
+    {
+      stop();
+      if (outer_ != nullptr)
+        outer_->clock_ = WallClock();
+    }
     Stopwatch(const Stopwatch &) = delete;
     Stopwatch &operator=(const Stopwatch &) = delete;
 
   private:
-    using Clock = std::chrono::steady_clock;
+    void stop() { seconds_ += clock_.seconds(); }
+
     double &seconds_;
-    Clock::time_point start_ = Clock::now();
+    Stopwatch *outer_ = nullptr;
+    WallClock clock_; ///< since it was made or has gone on
   };
 } // namespace abut

@@ -3,6 +3,8 @@
 
 #include <abut/trace/trace.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <string>
 #include <vector>
 
@@ -61,5 +63,11 @@ namespace abut
     Eigen::Index trace_offset(std::size_t side) const;
     /// Number of components of a trace vector.
     Eigen::Index trace_size() const { return trace_offset(contact_sides().size()); }
+    /// The part of a trace vector that belongs to a contact side.
+    Eigen::VectorXd of_side(const Eigen::VectorXd &trace, const std::size_t side) const
+    {
+      AssertDimension(trace.size(), trace_size());
+      return trace.segment(trace_offset(side), trace_offset(side + 1) - trace_offset(side));
+    }
   };
 } // namespace abut

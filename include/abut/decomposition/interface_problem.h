@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/executor.h>
 #include <abut/bodies/trace_body.h>
 #include <abut/contact/contact_surface.h>
 
@@ -88,7 +89,4 @@ namespace abut
     std::vector<Eigen::Index> displacement_offsets_;
     Eigen::Index response_size_ = 0;
   };
-
-  /// Runs f(i) for every body side by side; the first exception is passed on.
-  void for_each_body(std::size_t n_bodies, const std::function<void(std::size_t)> &f);
 } // namespace abut

@@ -9,8 +9,11 @@
 #include <abut/mesh/quality.h>
 #include <abut/results/estimator_quality.h>
 #include <abut/results/peaks.h>
+#include <abut/results/times.h>
 #include <abut/results/warning.h>
 #include <abut/scene/scene.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <limits>
 #include <map>
@@ -20,30 +23,14 @@
 
 namespace abut
 {
-  /// Wall-clock seconds by task.
-  struct Times
-  {
-    double mesh = 0., assemble = 0., factorise = 0., solve = 0., interface = 0., estimate = 0., adapt = 0.,
-           output = 0.;
-    double bem = 0.;       ///< boundary elements, added up over bodies that are computed side by side
-    double reference = 0.; ///< comparing with the exact solution
-  };
-
-  /// Seconds that the finite elements of a pass took, and what boundary elements cost beside them; all
-  /// bodies.
-  struct PassCost
-  {
-    double assemble = 0., factorise = 0., solve = 0.;
-    BoundaryCost boundary;
-  };
-
   struct BodyResult
   {
     const Body *body = nullptr;
-    Eigen::VectorXd displacement;   ///< all unknowns
-    Eigen::VectorXd deformation;    ///< the same less the body's rigid motion: stresses come from this one
-    Eigen::VectorXd contact_forces; ///< a trace vector; that the estimated error refers to
-    double energy = 0.;             ///< strain energy
+    Eigen::VectorXd displacement;    ///< all unknowns
+    Eigen::VectorXd deformation;     ///< the same less the body's rigid motion: stresses come from this one
+    Eigen::VectorXd contact_forces;  ///< a trace vector, in balance with the displacement
+    Eigen::VectorXd estimate_forces; ///< a trace vector: those that the estimated error refers to
+    double energy = 0.;              ///< strain energy
     BodyPeaks peaks;
     double rigid_displacement = 0.; ///< of the side that carries a given resultant
     Reactions reactions;
@@ -73,8 +60,16 @@ namespace abut
     /// Overlap far from any part that presses: contact smaller than a part.
     std::vector<MissedContact> missed;
 
-    const Part &part(const std::size_t k) const { return surface->partition().parts()[k]; }
-    bool presses(const std::size_t k) const { return loads[static_cast<Eigen::Index>(k)] > round_off; }
+    const Part &part(const std::size_t k) const
+    {
+      AssertIndexRange(k, surface->partition().parts().size());
+      return surface->partition().parts()[k];
+    }
+    bool presses(const std::size_t k) const
+    {
+      AssertIndexRange(k, static_cast<std::size_t>(loads.size()));
+      return loads[static_cast<Eigen::Index>(k)] > round_off;
+    }
   };
 
   /// Relative errors against the exact solution that the scene names.
@@ -131,18 +126,23 @@ namespace abut
     std::string message;    ///< one sentence with cause and way out; empty when what was asked for is reached
   };
 
-  /// Everything a run has found, for those who write it down.
-  struct Results
+  /// The solution on one mesh: what the interface problem's means for bodies and pairs.
+  struct Solution
+  {
+    std::vector<BodyResult> bodies; ///< in the scene's order
+    std::vector<PairResult> pairs;  ///< likewise
+    SchemeResult iteration;
+    double rigid_displacement = 0.; ///< scheme neumann: of the one side that carries a given resultant
+    bool compliance_is_dense = false;
+  };
+
+  /// Everything a run has found, for those who write it down: the last pass's solution, and how it came.
+  struct Results : Solution
   {
     const Scene *scene = nullptr;
-    std::vector<BodyResult> bodies;
-    std::vector<PairResult> pairs;
-    SchemeResult iteration;
     std::vector<PassRecord> passes;
     std::optional<AdaptationEnd> adaptation_end;
     std::optional<LimitDistance> limit_distance;
-    double rigid_displacement = 0.; ///< scheme neumann: of the one side that carries a given resultant
-    bool compliance_is_dense = false;
     TrueErrors true_errors;
     Times times;
     std::vector<Warning> warnings;

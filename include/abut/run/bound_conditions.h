@@ -10,5 +10,5 @@ namespace abut
    * Why `Estimation::bound` is no bound of a solved scene's error, or none was made: one sentence, without
    * the full stop; empty where the conditions of the theory are met. The first reason of several.
    */
-  std::string why_no_bound(const Scene &scene, const Results &results);
+  std::string why_no_bound(const Scene &scene, const Solution &solution);
 } // namespace abut

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/decomposition/interface_problem.h>
 #include <abut/mesh/cell_marks.h>
 #include <abut/results/estimation.h>
 #include <abut/results/results.h>
+#include <abut/run/setup.h>
 
 namespace abut
 {
-  /// Of every body's deformation and contact forces.
+  /// Of every body's deformation, against what the body answers its `estimate_forces` with.
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
                       const std::vector<BodyResult> &bodies);
 
-  /// Of the bodies' displacements and the contact forces that the pressures of all parts make.
+  /// Of the bodies' displacements and their `estimate_forces`, which the pressures of all parts make.
   ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,
                                    const std::vector<BodyResult> &bodies);
+
+  /// The estimate that the scene asks for, of a whole solution; sets what the bodies keep of it
+  /// (`estimate_forces`, `eta`, `better`). The setup has an indicator.
+  Estimation estimate_solution(const Setup &setup, Solution &solution);
 
   /**
    * The cells to be changed, body by body: those that the marking of the scene chooses in bodies that adapt,

@@ -14,6 +14,13 @@ namespace abut
   {
     std::vector<Eigen::VectorXd> displacements; ///< of each body, all unknowns
     Eigen::VectorXd pressures;                  ///< of all parts
+    double rigid_displacement = 0.;             ///< of a side that carries a given resultant
+  };
+
+  struct Adapted
+  {
+    CarriedState state;             ///< on the new meshes
+    bool some_mesh_changed = false; ///< else the state is the old one
   };
 
   /// The bodies and pairs of a scene on their present meshes.
@@ -33,15 +40,15 @@ namespace abut
     /// Cells and unknowns of all bodies together.
     Counts counts() const;
 
-    /// Assembles and factorises the bodies whose mesh is new.
-    void prepare(Times &times);
+    /// Assembles and factorises the bodies whose mesh is new, side by side; the longest seconds of both.
+    PreparationTimes prepare();
 
     /**
      * Changes the meshes of the bodies with marked cells, one entry of `marks` for each body, and makes the
      * surfaces that see them anew. Nothing is done to other bodies. Fields are carried over, and pressures: a
      * new part takes the mean of the old ones that it covers, by length, so that none becomes negative.
      */
-    CarriedState adapt(const std::vector<CellMarks> &marks, const CarriedState &state);
+    Adapted adapt(const std::vector<CellMarks> &marks, const CarriedState &state);
 
   private:
     ContactBody contact_body(const Side &side) const;

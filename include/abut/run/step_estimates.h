@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/stopwatch.h>
 #include <abut/comparison/stress_samples.h>
+#include <abut/decomposition/scheme.h>
 #include <abut/results/step_estimate.h>
 #include <abut/run/estimate.h>
-#include <abut/run/model.h>
 
 namespace abut
 {
@@ -15,17 +16,14 @@ namespace abut
   class StepEstimates
   {
   public:
-    /// All must outlive the object; `exact` may be null, `indicator` where nothing is asked.
-    StepEstimates(const Scene &scene, const Model &model, const Indicator *indicator,
-                  const ExactSolution *exact);
+    /// All must outlive the object. Estimates and comparisons with the exact solution count to `times`.
+    StepEstimates(const Setup &setup, Times &times) : setup_(setup), times_(times) {}
 
-    /// Empty where the step's displacement is no field (the paper's literal guess).
-    std::optional<StepEstimate> at(const StepRecord &record);
+    /// Empty where the step's displacement is no field (the paper's literal guess). `solving` measures the
+    /// solution that the step belongs to, and stands still meanwhile. The setup has an indicator.
+    std::optional<StepEstimate> at(const StepRecord &record, Stopwatch &solving);
 
-    /// What all of them have cost: seconds of the estimates, of comparing with the exact solution, and the
-    /// boundary elements' part.
-    double estimate_seconds() const { return estimate_seconds_; }
-    double reference_seconds() const { return reference_seconds_; }
+    /// The boundary elements' part of what all of them have cost.
     const BoundaryCost &boundary_cost() const { return boundary_cost_; }
 
   private:
@@ -37,12 +35,9 @@ namespace abut
     };
     std::optional<Norms> true_error(const std::vector<BodyResult> &bodies);
 
-    const Scene &scene_;
-    const Model &model_;
-    const Indicator *indicator_;
-    const ExactSolution *exact_;
+    const Setup setup_;
+    Times &times_;
     std::vector<std::vector<Stress>> exact_stresses_; ///< of every body, once asked for
-    double estimate_seconds_ = 0., reference_seconds_ = 0.;
     BoundaryCost boundary_cost_;
   };
 } // namespace abut

@@ -28,6 +28,11 @@ namespace abut
     printed ///< norm by area, (27) of the paper to the letter
   };
 
+  /// The sentence on boundary elements of which no bound is made.
+  constexpr const char *coarse_boundary_elements = "these boundary elements (Boundary solution) are no "
+                                                   "better than the finite elements where the stress is "
+                                                   "large";
+
   /// What the section `Adaptation` says.
   struct AdaptationParameters
   {
@@ -44,10 +49,12 @@ namespace abut
     unsigned int estimate_steps = 0; ///< estimate at every n-th step too (fe-be); 0: at the end of a pass
     bool combined = false;           ///< one decomposition step and one adaptation step a pass
 
-    /// Whether the estimate refers to the pressures that the contact law makes of the displacement, so that
-    /// it tells of discretisation and iteration together: with boundary elements. Else it refers to those
-    /// that the displacement answers; also in the combined algorithm, as in the paper.
-    bool estimates_by_law() const;
+    /// Why the estimate does not refer to the pressures that the contact law makes of the displacement, so
+    /// that it tells of discretisation and iteration together: one sentence, without the full stop. Empty
+    /// where it does, with boundary elements. Else it refers to the pressures that the displacement answers;
+    /// also in the combined algorithm, as in the paper.
+    std::string why_not_by_law() const;
+    bool estimates_by_law() const { return why_not_by_law().empty(); }
 
     static void declare(dealii::ParameterHandler &prm);
     /// Reads the section the handler stands in. Throws UserError.

@@ -42,5 +42,8 @@ namespace abut
 
     /// Position of a body in `bodies`; their number if there is none of this name.
     std::size_t body_index(const std::string &name) const;
+
+    /// Whether the mesh of some body follows the estimated error.
+    bool adapts() const;
   };
 } // namespace abut

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/boundary_elements/boundary_model.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -26,20 +26,6 @@ namespace abut
       both.imag() = densities.tail(n);
       return both.reshaped(n_each, n / n_each);
     }
-
-    class SecondsInto
-    {
-    public:
-      explicit SecondsInto(double &seconds) : seconds_(seconds) {}
-      ~SecondsInto()
-      {
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-      }
-
-    private:
-      double &seconds_;
-      std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    };
 
     /// Points carry no force in a body whose stress boundary elements are to compute: it would be infinite
     /// there.
@@ -143,10 +129,10 @@ namespace abut
   {
     std::optional<BoundaryState> state;
     {
-      const SecondsInto seconds(cost.solve);
+      const Stopwatch watch(cost.solve);
       state = solve(solution);
     }
-    const SecondsInto seconds(cost.evaluate);
+    const Stopwatch watch(cost.evaluate);
     std::vector<Complex> places;
     places.reserve(points.size());
     for (const Vector2 &point : points)

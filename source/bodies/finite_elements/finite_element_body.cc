@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
@@ -8,7 +9,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <utility>
 
@@ -17,12 +17,6 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-    using Clock = std::chrono::steady_clock;
-
-    double seconds_since(const Clock::time_point start)
-    {
-      return std::chrono::duration<double>(Clock::now() - start).count();
-    }
 
     /// Places trace vectors into vectors of all unknowns.
     Eigen::SparseMatrix<double> trace_embedding(const TraceBody &body, const Index n_dofs)
@@ -164,8 +158,9 @@ namespace abut
   std::vector<Eigen::VectorXd> FiniteElementBody::adapt(const CellMarks &marks,
                                                         const std::vector<Eigen::VectorXd> &fields)
   {
+    const unsigned int before = mesh_version();
     std::vector<Eigen::VectorXd> carried = space_->adapt(marks, fields);
-    if (space_->n_meshes() == counters_.meshes)
+    if (mesh_version() == before)
       return carried;
     cholesky_.reset();
     set_up();
@@ -185,20 +180,26 @@ namespace abut
   PreparationTimes FiniteElementBody::prepare()
   {
     PreparationTimes times;
-    auto start = Clock::now();
-    stiffness_ = assemble_stiffness(*space_, material());
-    ++counters_.assemblies;
-    times.assemble = seconds_since(start);
+    {
+      const Stopwatch watch(times.assemble);
+      stiffness_ = assemble_stiffness(*space_, material());
+      ++counters_.assemblies;
+    }
+    {
+      const Stopwatch watch(times.factorise);
+      factorise();
+    }
+    return times;
+  }
 
-    start = Clock::now();
+  void FiniteElementBody::factorise()
+  {
     const auto &t = supports_.free_directions;
     Eigen::SparseMatrix<double> reduced = t.transpose() * stiffness_ * t;
     if (floating_.size() > 0)
       reduced = floating_.stiffened(reduced, "Body " + name());
     cholesky_ = std::make_unique<SparseCholesky>(reduced, "Body " + name());
     ++counters_.factorisations;
-    times.factorise = seconds_since(start);
-    return times;
   }
 
   Eigen::MatrixXd FiniteElementBody::solve(const Eigen::MatrixXd &reduced_loads) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/conjugate.h>
 #include <abut/decomposition/schemes/contact_guess.h>
 #include <abut/decomposition/schemes/newton.h>
@@ -96,8 +97,8 @@ namespace abut
     const auto count_on = [&](const Eigen::VectorXd &iterate) {
       const Eigen::VectorXd p = scaled->pressures(iterate);
       if (observer)
-        observer({steps, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
-                  system_.problem.weights().dot(p), p.size() > 0 ? p.maxCoeff() : 0.});
+        observer(step_record(system_.problem, steps, std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::quiet_NaN(), p));
     };
     double accuracy = first_accuracy * parameters_.tolerance, imbalance = 0.;
     for (int outer = 1;; ++outer)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
+#include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/initial_guess.h>
 #include <abut/decomposition/schemes/neumann.h>
+#include <abut/decomposition/schemes/neumann_step.h>
 #include <abut/decomposition/spectrum.h>
 
 #include <algorithm>
@@ -88,28 +90,6 @@ namespace abut
     }
   } // namespace
 
-  double relative_change(const InterfaceProblem &problem, const Eigen::VectorXd &u, const Eigen::VectorXd &v)
-  {
-    double largest = 0.;
-    for (std::size_t a = 0; a < problem.bodies().size(); ++a)
-    {
-      const Eigen::VectorXd now = problem.normal_displacements(u, a);
-      const double change = (now - problem.normal_displacements(v, a)).norm();
-      if (change > 0.) // a body that comes back to rest has changed wholly
-        largest = std::max(largest, now.norm() > 0. ? change / now.norm() : 1.);
-    }
-    return largest;
-  }
-
-  double reference_norm(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
-                        const Eigen::VectorXd &pressures, const Eigen::VectorXd &response)
-  {
-    const Index n = problem.n_pressures();
-    const double of_contact = pressures.dot((response - loads.response).head(n));
-    const double of_all = loads.energy_product + 2. * pressures.dot(loads.force_gap) + of_contact;
-    return std::sqrt(std::max(std::min(of_contact, of_all), 0.));
-  }
-
   std::string accident_message(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                                const double relaxation, const Eigen::VectorXd &pressures)
   {
@@ -144,18 +124,19 @@ namespace abut
   NeumannScheme::Step NeumannScheme::take_step(const InterfaceProblem::Loads &loads,
                                                const InterfaceState &state, const unsigned int number) const
   {
+    auto [pressures, solved, next] = take_neumann_step(
+        problem_, relaxation_, state.response, state.response,
+        [&](const Eigen::VectorXd &p) { return respond_to(compliance_, loads, p).response; });
     Step step;
-    step.pressures = problem_.pressures(state.response);
-    step.solved = respond_to(compliance_, loads, step.pressures); // u~ of (20)
-    step.next.response = relaxation_ * step.solved.response + (1. - relaxation_) * state.response; // (21)
+    step.bound = error_bound(problem_, state, pressures, solved);
+    step.record = step_record(problem_, number, relative_change(problem_, next, state.response),
+                              relative_bound(problem_, loads, state, pressures, step.bound), pressures);
     if (state.traction)
-      step.next.traction = relaxation_ * step.pressures + (1. - relaxation_) * *state.traction;
-    step.bound = error_bound(problem_, state, step.pressures, step.solved.response);
-    step.record = {number, relative_change(problem_, step.next.response, state.response),
-                   relative_bound(problem_, loads, state, step.pressures, step.bound),
-                   problem_.weights().dot(step.pressures),
-                   step.pressures.size() > 0 ? step.pressures.maxCoeff() : 0.};
-    if (!step.solved.response.head(problem_.n_pressures()).allFinite() ||
+      step.next.traction = relaxed(relaxation_, pressures, *state.traction);
+    step.next.response = std::move(next);
+    step.solved_response = std::move(solved);
+    step.pressures = std::move(pressures);
+    if (!step.solved_response.head(problem_.n_pressures()).allFinite() ||
         !std::isfinite(step.record.increment))
       throw ComputationError(
           "The parallel Neumann scheme has left the range of the machine's numbers after " +
@@ -181,7 +162,7 @@ namespace abut
     result.iteration_error = last.record.bound;
     // Without a field for u^k, the last solved displacement and its traction are a pair in equilibrium.
     result.traction = state.traction ? *state.traction : last.pressures;
-    result.response = state.traction ? state.response : last.solved.response;
+    result.response = state.traction ? state.response : last.solved_response;
     result.iterate = state.response;
     if (reason == StoppedBy::increment)
       result.message = accident_message(problem_, compliance_, relaxation_, last.pressures);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/contact_guess.h>
-#include <abut/decomposition/schemes/neumann.h>
 #include <abut/decomposition/schemes/newton.h>
 #include <abut/decomposition/schemes/pivoting.h>
 #include <abut/scene/scheme_entry.h>
@@ -62,8 +62,7 @@ namespace abut
         if (!observer_)
           return;
         const double error = system_.residual.algebraic(loads_, state.pressures, state.response, response);
-        observer_({step, increment_, error, system_.problem.weights().dot(state.pressures),
-                   state.pressures.size() > 0 ? state.pressures.maxCoeff() : 0.});
+        observer_(step_record(system_.problem, step, increment_, error, state.pressures));
       }
       double increment() const { return increment_; }
 

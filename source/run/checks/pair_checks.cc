@@ -170,13 +170,13 @@ namespace abut
     return {{WarningCode::nothing_touches, text.str()}};
   }
 
-  Warnings result_warnings(const Results &results)
+  Warnings result_warnings(const Solution &solution)
   {
-    Warnings warnings = touch_warnings(results.pairs);
-    for (const BodyResult &body : results.bodies)
+    Warnings warnings = touch_warnings(solution.pairs);
+    for (const BodyResult &body : solution.bodies)
       append(warnings, body_warnings(body));
     std::vector<const ContactSurface *> seen;
-    for (const PairResult &pair : results.pairs)
+    for (const PairResult &pair : solution.pairs)
     {
       append(warnings, pair_warnings(pair));
       if (std::find(seen.begin(), seen.end(), pair.surface) != seen.end())

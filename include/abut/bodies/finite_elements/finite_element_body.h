@@ -93,6 +93,7 @@ namespace abut
     void set_up_supports();
     void tell_supports();
     void collect_loads();
+    void factorise();
     Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;
 
     std::unique_ptr<Space> space_;

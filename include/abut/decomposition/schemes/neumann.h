@@ -30,10 +30,10 @@ namespace abut
     /// One pass of (20)-(21) and what it tells.
     struct Step
     {
-      Eigen::VectorXd pressures; ///< p^k
-      InterfaceState solved;     ///< u~
-      InterfaceState next;       ///< u^{k+1}
-      double bound;              ///< ||u~ - u^k||_A
+      Eigen::VectorXd pressures;       ///< p^k
+      Eigen::VectorXd solved_response; ///< of u~
+      InterfaceState next;             ///< u^{k+1}
+      double bound;                    ///< ||u~ - u^k||_A
       StepRecord record;
     };
     Step take_step(const InterfaceProblem::Loads &loads, const InterfaceState &state,
@@ -46,16 +46,6 @@ namespace abut
     DecompositionParameters parameters_;
     double relaxation_;
   };
-
-  /// max_a ||u_an - v_an||_2 / ||u_an||_2 over the nodes of all contact sides of each body: the paper's norm,
-  /// for two responses.
-  double relative_change(const InterfaceProblem &problem, const Eigen::VectorXd &u, const Eigen::VectorXd &v);
-
-  /// What a relative error refers to: ||u||_A of the displacement that answers the pressures with this
-  /// response, or the norm of that part of u which contact makes where it is smaller. A body stretched far
-  /// from the contact would else make any error of the contact look small.
-  double reference_norm(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
-                        const Eigen::VectorXd &pressures, const Eigen::VectorXd &response);
 
   /// The paper's rule may fire by accident in a run that does not converge with the contact of these
   /// pressures: then one sentence, else nothing.

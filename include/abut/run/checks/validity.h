@@ -33,6 +33,16 @@ namespace abut
   /// Of a scene none of whose pairs carries a force.
   Warnings touch_warnings(const std::vector<PairResult> &pairs);
 
-  /// All of the above of a solved scene.
-  Warnings result_warnings(const Results &results);
+  /// The three above, of a solved scene.
+  Warnings result_warnings(const Solution &solution);
+
+  /// Parameters that the chosen scheme takes no notice of.
+  Warnings scheme_warnings(const Scene &scene);
+
+  /// Estimators that are far from the true error, or see a part of it.
+  Warnings estimator_warnings(const Scene &scene, const Model &model);
+
+  /// Everything that a run says. `dropped_loads`: see HeldMotions.
+  Warnings all_warnings(const Scene &scene, const Model &model, const Solution &solution,
+                        const std::vector<std::string> &dropped_loads);
 } // namespace abut

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/run/simulation.h>
+
+#include <iosfwd>
+
+namespace abut
+{
+  /// What will be solved: bodies, unknowns, supports, rigid motions left free, gaps, penalties.
+  void describe(const Simulation &simulation, std::ostream &out);
+} // namespace abut

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/run/pass.h>
+
+namespace abut
+{
+  /// What a pass has found, but for its number, the seconds since the run began and what `compare_with_exact`
+  /// adds. `carried`: what it started from.
+  PassRecord record_pass(const Setup &setup, const PassOutcome &outcome,
+                         const std::optional<CarriedState> &carried);
+
+  /// Adds true errors and the quality of the indicator; the setup knows an exact solution.
+  void compare_with_exact(const Setup &setup, const PassOutcome &outcome, PassRecord &record);
+} // namespace abut

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What the choice of methods means for a scene, and all warnings of a run.
+
+#include <abut/run/checks/validity.h>
+#include <abut/scene/scheme_entry.h>
+
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    using Bodies = std::vector<std::unique_ptr<Body>>;
+
+    /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
+    std::string underestimated_body(const AdaptationParameters &adaptation, const Bodies &bodies)
+    {
+      if (!Registry<EstimatorEntry>::get().find(adaptation.estimator).has_boundary_elements ||
+          adaptation.boundary_solution == BoundarySolution::trace_space ||
+          adaptation.boundary_solution == BoundarySolution::reference_quality)
+        return {};
+      for (const auto &body : bodies)
+        if (!body->singular_vertices().empty())
+          return body->name();
+      return {};
+    }
+
+    /// That an estimator is far from the true error with some body's degree; empty where it is not.
+    std::string rough_estimator(const EstimatorEntry &estimator, const Bodies &bodies)
+    {
+      for (const auto &body : bodies)
+      {
+        const unsigned int degree = body->description().degree;
+        const EstimatorWorth *const worth = estimator.worth_at(degree);
+        if (worth == nullptr || !worth->is_rough())
+          continue;
+        std::ostringstream text;
+        text << "Adaptation/Estimator = " << estimator.name << " has been " << worth->least << " to "
+             << worth->most << " times the true error with elements of degree " << degree << " (body "
+             << body->name()
+             << "): its marks are good, its values and a Limit are not; fe-be has a bound, kelly is nearer";
+        return text.str();
+      }
+      return "";
+    }
+  } // namespace
+
+  Warnings scheme_warnings(const Scene &scene)
+  {
+    const DecompositionParameters &decomposition = scene.decomposition;
+    if (scheme_of(decomposition).iterates_displacements || scene.contacts.empty() ||
+        (!decomposition.relaxation && decomposition.initial_guess == DecompositionParameters().initial_guess))
+      return {};
+    return {{WarningCode::unused_parameter,
+             "Decomposition/Relaxation and Initial guess are for Scheme = neumann; the scheme " +
+                 decomposition.scheme + " takes no notice of them"}};
+  }
+
+  Warnings estimator_warnings(const Scene &scene, const Model &model)
+  {
+    Warnings warnings;
+    if (const std::string sentence =
+            rough_estimator(Registry<EstimatorEntry>::get().find(scene.adaptation.estimator), model.bodies());
+        !sentence.empty())
+      warnings.push_back({WarningCode::rough_estimator, sentence});
+    const std::string body = underestimated_body(scene.adaptation, model.bodies());
+    if (!body.empty())
+      warnings.push_back(
+          {WarningCode::estimator_sees_a_part,
+           "Body " + body +
+               " has a vertex where the stress is infinite (a reentrant corner, a support that begins or "
+               "ends, a load that jumps): there the boundary elements of Adaptation/Boundary solution = "
+               "constant traction and finite element trace are about as coarse as the finite elements, the "
+               "error may be a third larger than estimated; trace space and reference quality see it whole"});
+    return warnings;
+  }
+
+  Warnings all_warnings(const Scene &scene, const Model &model, const Solution &solution,
+                        const std::vector<std::string> &dropped_loads)
+  {
+    Warnings warnings = input_warnings(scene, model);
+    append(warnings, result_warnings(solution));
+    for (const std::string &sentence : dropped_loads)
+      warnings.push_back({WarningCode::dropped_load, sentence});
+    append(warnings, scheme_warnings(scene));
+    append(warnings, estimator_warnings(scene, model));
+    return warnings;
+  }
+} // namespace abut

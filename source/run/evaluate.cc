@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
+#include <abut/run/evaluate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    BodyResult body_result(const Body &body, const Eigen::VectorXd &contact_forces,
+                           const double rigid_displacement, const Eigen::VectorXd &amplitudes)
+    {
+      BodyResult result;
+      result.body = &body;
+      result.contact_forces = contact_forces;
+      result.rigid_displacement = rigid_displacement;
+      if (amplitudes.size() > 0)
+        result.rigid_displacement = body.rigid_side_displacement(amplitudes);
+      result.deformation = body.deformation(contact_forces, result.rigid_displacement);
+      result.displacement = result.deformation + body.rigid_motion(result.rigid_displacement);
+      if (amplitudes.size() > 0)
+        result.displacement += body.free_motion(amplitudes);
+      result.energy = body.strain_energy(result.deformation);
+      result.reactions = body.reactions(result.deformation, contact_forces);
+      return result;
+    }
+
+    /// Pressures and forces of all parts.
+    void add_loads(const ContactPair &pair, PairResult &result)
+    {
+      result.pressures = result.surface->partition().reported_pressures(result.loads);
+      const Eigen::VectorXd forces = pair.slave_coupling().transpose() * result.loads;
+      for (Index i = 0; i < forces.size(); i += 2)
+        result.force += forces.segment<2>(i);
+      result.normal_force = pair.weights().dot(result.loads);
+    }
+
+    /// Which parts are those of the pair, and what they tell; returns which press.
+    std::vector<bool> add_parts(const ContactPair &pair, PairResult &result)
+    {
+      result.min_gap = std::numeric_limits<double>::infinity();
+      std::vector<bool> pressed(static_cast<std::size_t>(result.loads.size()));
+      for (std::size_t k = 0; k < pressed.size(); ++k)
+      {
+        const auto i = static_cast<Index>(k);
+        pressed[k] = result.loads[i] > 0. || (pair.penalty() > 0. && result.gaps[i] < 0.);
+        if (!(pair.weights()[i] > 0.))
+          continue;
+        result.parts.push_back(k);
+        result.max_pressure = std::max(result.max_pressure, result.pressures[i]);
+        result.contact_length += pressed[k] ? pair.weights()[i] : 0.;
+        result.min_gap = std::min(result.min_gap, result.gaps[i]);
+      }
+      result.max_penetration = std::max(0., -result.min_gap);
+      return pressed;
+    }
+
+    /// What the sides' displacements make of the gap.
+    void add_motion(const ContactPair &pair, const std::vector<bool> &pressed,
+                    const std::vector<BodyResult> &bodies, PairResult &result)
+    {
+      const auto displacement = [&](const ContactBody &side) -> Eigen::VectorXd {
+        const BodyResult &body = bodies[side.body];
+        return body.body->of_side(body.body->trace_of(body.displacement), side.side);
+      };
+      const Eigen::VectorXd of_cut = displacement(pair.cut_side()),
+                            of_other = displacement(pair.other_side());
+      result.missed = pair.missed_contact(result.surface->near_contact(pressed), of_cut, of_other);
+      result.nearest = pair.nearest(of_cut, of_other);
+      result.sliding = pair.sliding(of_cut, of_other);
+      for (const std::size_t k : result.parts)
+        if (result.presses(k))
+          result.max_sliding = std::max(result.max_sliding, std::abs(result.sliding[static_cast<Index>(k)]));
+    }
+  } // namespace
+
+  std::vector<BodyResult> body_results(const Model &model, const SchemeResult &iteration,
+                                       const double rigid_displacement, const InterfaceMotions *const motions)
+  {
+    AssertDimension(iteration.traction.size(), model.problem().n_pressures());
+    AssertDimension(iteration.motions.size(), motions == nullptr ? 0 : motions->size());
+    std::vector<BodyResult> results(model.bodies().size());
+    for_each_body(results.size(), [&](const std::size_t a) {
+      results[a] = body_result(
+          *model.bodies()[a], model.problem().contact_forces(a, iteration.traction), rigid_displacement,
+          motions == nullptr ? Eigen::VectorXd() : motions->of_body(iteration.motions, a));
+    });
+    return results;
+  }
+
+  std::vector<PairResult> pair_results(const Model &model, const SchemeResult &iteration,
+                                       const std::vector<BodyResult> &bodies)
+  {
+    const InterfaceProblem &problem = model.problem();
+    AssertDimension(bodies.size(), model.bodies().size());
+    AssertDimension(iteration.response.size(), problem.response_size());
+    std::vector<PairResult> results;
+    for (std::size_t i = 0; i < model.pairs().size(); ++i)
+    {
+      const ContactPair &pair = *model.pairs()[i];
+      const std::size_t surface = model.surface_of(i);
+      PairResult result;
+      result.pair = &pair;
+      result.surface = &model.surfaces()[surface];
+      result.gaps = problem.of_surface(surface, problem.gaps(iteration.response));
+      result.loads = problem.of_surface(surface, iteration.traction);
+      result.round_off = 1e-12 * iteration.traction.cwiseAbs().maxCoeff();
+      add_loads(pair, result);
+      add_motion(pair, add_parts(pair, result), bodies, result);
+      results.push_back(std::move(result));
+    }
+    return results;
+  }
+
+  void add_peaks(std::vector<BodyResult> &bodies)
+  {
+    for (BodyResult &result : bodies)
+    {
+      result.peaks =
+          find_peaks(*result.body, result.displacement, result.deformation, result.body->singular_vertices());
+      if (!std::isfinite(result.energy) || !std::isfinite(result.peaks.von_mises.value))
+        throw ComputationError(
+            "Body " + result.body->name() +
+            ": energy or stresses have left the range of the machine's numbers; change the units");
+    }
+  }
+} // namespace abut
