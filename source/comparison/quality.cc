@@ -100,6 +100,7 @@ namespace abut
       const Eigen::VectorXd u = a.array() - a.mean(), v = b.array() - b.mean();
       return u.dot(v) / (u.norm() * v.norm());
     }
+
     /// Estimated and true errors of all cells.
     struct ErrorLists
     {
