@@ -2,6 +2,7 @@
 #include <abut/base/numbers.h>
 #include <abut/report/plot.h>
 #include <abut/study/error_figures.h>
+#include <abut/study/observed_run.h>
 #include <abut/study/result_file.h>
 
 #include <sstream>

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
+#include <abut/reference/pressed_layers.h>
 #include <abut/report/plot.h>
 #include <abut/study/iteration_figures.h>
+#include <abut/study/observed_run.h>
 #include <abut/study/result_file.h>
 
+#include <functional>
 #include <sstream>
 
 namespace abut

@@ -3,6 +3,7 @@
 #include <abut/report/plot.h>
 #include <abut/study/limit_figures.h>
 #include <abut/study/mesh_measures.h>
+#include <abut/study/paper_runs.h>
 #include <abut/study/result_file.h>
 
 #include <sstream>

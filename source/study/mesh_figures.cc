@@ -3,6 +3,7 @@
 #include <abut/report/mesh_figure.h>
 #include <abut/study/mesh_figures.h>
 #include <abut/study/mesh_measures.h>
+#include <abut/study/observed_run.h>
 #include <abut/study/result_file.h>
 
 #include <set>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
+#include <abut/reference/pressed_layers.h>
 #include <abut/study/iteration_figures.h>
 #include <abut/study/limit_figures.h>
 #include <abut/study/mesh_figures.h>
 #include <abut/study/paper_figures.h>
+#include <abut/study/paper_runs.h>
 
 #include <algorithm>
 #include <sstream>

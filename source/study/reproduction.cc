@@ -4,6 +4,7 @@
 #include <abut/report/atomic_file.h>
 #include <abut/study/error_figures.h>
 #include <abut/study/paper_figures.h>
+#include <abut/study/paper_runs.h>
 #include <abut/study/reproduction.h>
 #include <abut/study/run_table.h>
 #include <abut/study/variants.h>

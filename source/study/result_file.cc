@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/report/atomic_file.h>
+#include <abut/scene/scene.h>
 #include <abut/study/result_file.h>
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/study/mesh_measures.h>
+#include <abut/study/paper_runs.h>
 #include <abut/study/result_file.h>
 #include <abut/study/run_table.h>
 

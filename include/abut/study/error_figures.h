@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/study/observed_run.h>
-
 #include <string>
 #include <vector>
 
 namespace abut
 {
+  struct ObservedRun;
+  struct Scene;
+
   /// Into the folder of results: errors.svg and errors.csv, the true errors of every pass against unknowns
   /// and seconds. Returns a table for each run. All passes know their true errors of stress and energy.
   /// Throws UserError.

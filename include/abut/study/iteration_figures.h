@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/reference/pressed_layers.h>
-#include <abut/study/observed_run.h>
-
 namespace abut
 {
+  struct ObservedRun;
+  struct Scene;
+  class PressedLayers;
+
   /// Into the folder of results: figure09 (contact displacement of the lower body and contact pressure by
   /// pass, beside those of `exact`) as .svg, its two halves as .csv. Throws UserError.
   void write_iteration_figures(const Scene &scene, const ObservedRun &run, const PressedLayers &exact);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/study/paper_runs.h>
-
 #include <string>
 
 namespace abut
 {
+  struct PaperRuns;
+  struct Scene;
+
   /**
    * Into the folder of results: figure08 (displacement at a point against delta, beside that of the run that
    * iterates to the limit) and figure10 (unknowns against 1/delta), each as .svg and .csv; nothing where no

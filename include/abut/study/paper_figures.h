@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/reference/pressed_layers.h>
-#include <abut/study/paper_runs.h>
-
 #include <string>
 
 namespace abut
 {
+  struct PaperRuns;
+  struct Scene;
+  class PressedLayers;
+
   /**
    * The figures of the paper's numerical example and their data, into the folder of results: those of
    * `write_mesh_figures`, `write_iteration_figures` and `write_limit_figures`. `exact`: infinite sliding
