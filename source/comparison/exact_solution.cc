@@ -3,6 +3,8 @@
 #include <abut/comparison/exact_solution.h>
 #include <abut/scene/reference_entry.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   namespace
@@ -19,11 +21,14 @@ namespace abut
   BodyDescription with_exact_conditions(const Scene &scene, const std::size_t body,
                                         const ExactSolution *const exact)
   {
+    AssertIndexRange(body, scene.bodies.size());
     BodyDescription description = scene.bodies[body];
     for (Condition &condition : description.conditions)
     {
       if (!condition.exact)
         continue;
+      Assert(exact != nullptr,
+             dealii::ExcMessage("`exact` needs a solution; scenes without one are refused"));
       const std::string where = "Body " + description.name + "/Conditions: " + condition.boundary;
       const auto displacement = exact->displacement(body);
       if (!displacement)

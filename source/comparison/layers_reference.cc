@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/comparison/layers_reference.h>
 #include <abut/comparison/scene_checks.h>
-#include <abut/mesh/body_mesh.h>
 #include <abut/reference/layers_contact.h>
 #include <abut/reference/penalised_layers_contact.h>
 #include <abut/reference/piecewise_pressure.h>
+#include <abut/results/results.h>
 #include <abut/scene/reference_entry.h>
 #include <abut/trace/applied_traction.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <Eigen/LU>
 
@@ -112,12 +114,11 @@ namespace abut
       return data;
     }
 
-    /// H_a/E_a of a side as its pair has it.
+    /// H_a/E_a of a side as its pair has it: behind the top or bottom of a rectangle H_a is the height.
     double side_flexibility(const Scene &scene, const Side &side)
     {
       const BodyDescription &body = scene.bodies[scene.body_index(side.body)];
-      const auto mesh = make_mesh(body);
-      return contact_depth(body, *mesh, boundary_id(*mesh, side.boundary)) / body.young_modulus;
+      return body.placement.length_to_world(body.contact_depth.value_or(body.size[1])) / body.young_modulus;
     }
 
     /// theta in the bodies' own lengths.
@@ -155,6 +156,7 @@ namespace abut
     /// The pressure that was applied to a body's contact side, over x of its own frame.
     std::vector<PressurePiece> pressure_pieces(const BodyResult &result, const double length)
     {
+      AssertDimension(result.body->contact_sides().size(), 1);
       const Trace &side = result.body->contact_sides().front();
       const Placement &placement = result.body->description().placement;
       const Eigen::VectorXd traction = applied_traction(side, result.estimate_forces);

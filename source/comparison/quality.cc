@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/comparison/quality.h>
 #include <abut/comparison/stress_samples.h>
+#include <abut/results/estimation.h>
+#include <abut/results/results.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace abut
@@ -18,15 +23,17 @@ namespace abut
       double stress = 0.;
     };
 
-    CellSquares cell_squares(const OwnStress &exact, const BodyResult &result,
+    /// `better`: at the samples, in the plane, or empty.
+    CellSquares cell_squares(const OwnStress &exact, const BodyResult &result, const Index n_cells,
                              const std::vector<Stress> &better)
     {
       const Placement &placement = result.body->description().placement;
       const std::vector<StressSample> samples = stress_samples(result, SamplePoints::comparison);
+      Assert(better.empty() || better.size() == samples.size(),
+             dealii::ExcMessage("a better stress is known at all samples or at none"));
       const std::vector<Stress> stresses = at_samples(exact, samples);
       CellSquares squares;
-      squares.computed = squares.better =
-          Eigen::VectorXd::Zero(static_cast<Index>(result.body->counts().cells));
+      squares.computed = squares.better = Eigen::VectorXd::Zero(n_cells);
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
         const auto cell = static_cast<Index>(samples[i].cell);
@@ -93,42 +100,61 @@ namespace abut
       const Eigen::VectorXd u = a.array() - a.mean(), v = b.array() - b.mean();
       return u.dot(v) / (u.norm() * v.norm());
     }
+
+    /// Estimated and true errors of all cells.
+    struct ErrorLists
+    {
+      std::vector<double> estimated, computed;
+    };
+
+    double correlation(const std::vector<double> &a, const std::vector<double> &b, const bool of_ranks)
+    {
+      const auto n = static_cast<Index>(a.size());
+      const Eigen::Map<const Eigen::VectorXd> x(a.data(), n), y(b.data(), n);
+      return of_ranks ? correlation(ranks(x), ranks(y)) : correlation(x, y);
+    }
+
+    void add_body(const BodyResult &result, const CellErrors &errors, const CellSquares &squares,
+                  const std::vector<Vector2> &ends, EstimatorQuality &quality, ErrorLists &lists)
+    {
+      const std::vector<CellInfo> cells = result.body->cells();
+      AssertDimension(errors.stress.size(), static_cast<Index>(cells.size()));
+      quality.stress += squares.stress;
+      quality.has_better = quality.has_better && !errors.better.empty();
+      for (Index i = 0; i < errors.stress.size(); ++i)
+      {
+        const CellInfo &info = cells[static_cast<std::size_t>(i)];
+        const ErrorSquares cell{errors.stress[i] * errors.stress[i], squares.computed[i], squares.better[i]};
+        add(cell, quality.whole);
+        if (is_at_end(info, ends))
+          add(cell, quality.contact_end);
+        add(cell, info.at_boundary ? quality.boundary : quality.interior);
+        lists.estimated.push_back(errors.stress[i]);
+        lists.computed.push_back(std::sqrt(squares.computed[i]));
+      }
+    }
   } // namespace
 
   std::optional<EstimatorQuality> estimator_quality(const ExactSolution &exact, const Estimation &estimation,
                                                     const std::vector<BodyResult> &bodies,
                                                     const std::vector<PairResult> &pairs)
   {
+    AssertDimension(estimation.errors.size(), bodies.size());
     EstimatorQuality quality;
     quality.has_better = true;
     const std::vector<Vector2> ends = contact_ends(pairs);
-    std::vector<double> estimated, computed;
+    ErrorLists lists;
     for (std::size_t a = 0; a < bodies.size(); ++a)
     {
       const OwnStress response = exact.response(a, bodies[a]);
       if (!response)
         return {};
       const CellErrors &errors = estimation.errors[a];
-      const CellSquares squares = cell_squares(response, bodies[a], errors.better);
-      const std::vector<CellInfo> cells = bodies[a].body->cells();
-      quality.stress += squares.stress;
-      quality.has_better = quality.has_better && !errors.better.empty();
-      for (Index i = 0; i < errors.stress.size(); ++i)
-      {
-        const ErrorSquares cell{errors.stress[i] * errors.stress[i], squares.computed[i], squares.better[i]};
-        const CellInfo &info = cells[static_cast<std::size_t>(i)];
-        add(cell, quality.whole);
-        if (is_at_end(info, ends))
-          add(cell, quality.contact_end);
-        add(cell, info.at_boundary ? quality.boundary : quality.interior);
-        estimated.push_back(errors.stress[i]);
-        computed.push_back(std::sqrt(squares.computed[i]));
-      }
+      add_body(bodies[a], errors, cell_squares(response, bodies[a], errors.stress.size(), errors.better),
+               ends, quality, lists);
     }
-    const auto n = static_cast<Index>(estimated.size());
-    const Eigen::Map<const Eigen::VectorXd> x(estimated.data(), n), y(computed.data(), n);
-    quality.pearson = correlation(x, y);
-    quality.spearman = correlation(ranks(x), ranks(y));
+    quality.pearson = correlation(lists.estimated, lists.computed, false);
+    quality.spearman = correlation(lists.estimated, lists.computed, true);
     return quality;
   }
 } // namespace abut

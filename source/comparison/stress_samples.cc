@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/executor.h>
 #include <abut/comparison/stress_samples.h>
+#include <abut/results/results.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace abut
 {
   std::vector<StressSample> stress_samples(const BodyResult &result, const SamplePoints points)
   {
+    AssertDimension(static_cast<std::size_t>(result.deformation.size()), result.body->counts().dofs);
     const Placement &placement = result.body->description().placement;
     std::vector<StressSample> samples;
     result.body->visit_stress(result.deformation, points,
@@ -27,8 +34,12 @@ namespace abut
 
   std::vector<Stress> at_samples(const OwnStress &exact, const std::vector<StressSample> &samples)
   {
+    Assert(exact, dealii::ExcMessage("there is no exact stress to sample"));
     std::vector<Stress> stresses(samples.size());
     for_each(samples.size(), [&](const std::size_t i) { stresses[i] = exact(samples[i].own_point); });
+    Assert(std::all_of(stresses.begin(), stresses.end(),
+                       [](const Stress &stress) { return std::isfinite(stress.square()); }),
+           dealii::ExcMessage("an exact stress inside a body is finite"));
     return stresses;
   }
 } // namespace abut

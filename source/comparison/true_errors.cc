@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/comparison/stress_samples.h>
 #include <abut/comparison/true_errors.h>
+#include <abut/results/results.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <cmath>
 
@@ -47,6 +50,8 @@ namespace abut
       const GaussRule rule(8);
       const Trace &cut = *pair.pair->cut_side().trace;
       const Partition &partition = pair.surface->partition();
+      AssertDimension(pair.pressures.size(), static_cast<Eigen::Index>(partition.parts().size()));
+      Assert(pair.pressures.allFinite(), dealii::ExcMessage("contact pressures are finite"));
       double error = 0., norm = 0.;
       for (const Piece &piece : partition.pieces())
       {
@@ -71,6 +76,7 @@ namespace abut
   TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
                          const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs)
   {
+    AssertDimension(bodies.size(), scene.bodies.size());
     TrueErrors errors;
     if (exact.stress(0))
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
+#include <abut/program/arguments.h>
 #include <abut/program/command_line.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/console.h>
@@ -12,8 +13,6 @@
 #include <abut/study/scheme_comparison.h>
 #include <abut/study/study.h>
 
-#include <CLI/CLI.hpp>
-
 #include <iostream>
 #include <unistd.h>
 
@@ -21,71 +20,6 @@ namespace abut
 {
   namespace
   {
-    struct Options
-    {
-      std::string file;
-      std::vector<std::string> overrides;
-      bool check = false, quiet = false, print_parameters = false;
-      bool study = false, reproduce = false, schemes = false;
-    };
-
-    /// Empty where the command line is dealt with: `status` is then what to end with.
-    std::optional<Options> parse(const int argc, const char *const *argv, int &status, std::ostream &out,
-                                 std::ostream &err)
-    {
-      Options options;
-      std::string output;
-      CLI::App app("abut: frictionless contact of elastic bodies in plane strain, solved body by body.",
-                   "abut");
-      app.set_version_flag("--version", "abut " ABUT_VERSION);
-      app.add_option("FILE.prm", options.file, "Parameter file: the scene to solve");
-      app.add_option("--set", options.overrides,
-                     "Override a parameter: 'Section/Sub/Name=value' (repeatable)")
-          ->take_all()
-          ->allow_extra_args(false);
-      app.add_option("--output", output, "Folder of the results (overrides Output/Directory)");
-      app.add_flag("--check", options.check, "Check the scene, print what would be solved, and stop");
-      app.add_flag("--quiet", options.quiet, "No progress and no tables; errors only");
-      app.add_flag("--print-parameters", options.print_parameters,
-                   "Print every parameter with its documentation and default, and stop");
-      app.add_subcommand("study",
-                         "Run the variants that the file's section Study lists: error against run time")
-          ->fallthrough()
-          ->parse_complete_callback([&] { options.study = true; });
-      app.add_subcommand(
-             "schemes",
-             "Solve the contact on the file's meshes by every scheme: steps, seconds and error of each")
-          ->fallthrough()
-          ->parse_complete_callback([&] { options.schemes = true; });
-      app.add_subcommand("reproduce",
-                         "Run the file and the variants of its section Study; write the figures of "
-                         "doc/reproducing-the-paper.md and their data")
-          ->fallthrough()
-          ->parse_complete_callback([&] { options.reproduce = true; });
-      app.footer("Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did "
-                 "not reach what "
-                 "it was asked for (the results say so).");
-      try
-      {
-        app.parse(argc, argv);
-        if (options.file.empty() && !options.print_parameters)
-          throw CLI::RequiredError("FILE.prm");
-      }
-      catch (const CLI::ParseError &error)
-      {
-        const bool is_answer = error.get_exit_code() == 0; // --help, --version
-        if (is_answer)
-          app.exit(error, out, err);
-        else
-          err << "abut: " << error.what() << "; `abut --help` lists what is allowed\n";
-        status = is_answer ? ExitStatus::converged : ExitStatus::wrong_input;
-        return {};
-      }
-      if (!output.empty())
-        options.overrides.push_back("Output/Directory=" + output);
-      return options;
-    }
-
     void print_warnings(std::ostream &err, const Scene &scene, const Warnings &warnings)
     {
       for (const Warning &warning : warnings)
@@ -128,72 +62,98 @@ namespace abut
       return ExitStatus::not_converged;
     }
 
-    int study(const Options &options, std::ostream &out, std::ostream &err)
+    int check_scene(const Scene &scene, std::ostream &out, std::ostream &err)
     {
-      const std::vector<std::string> failed = run_study(options.file, options.overrides, options.quiet, out);
-      for (const std::string &name : failed)
-        err << "abut: " << options.file << ": the variant `" << name
-            << "` has not reached what it was asked for; run it by itself to see why\n";
-      return failed.empty() ? ExitStatus::converged : ExitStatus::not_converged;
-    }
-
-    int run(const Options &options, std::ostream &out, std::ostream &err)
-    {
-      if (options.print_parameters)
-      {
-        Scene::print_parameters(out);
-        return ExitStatus::converged;
-      }
-      if (options.study)
-        return study(options, out, err);
-      const auto status_of = [](const bool converged) {
-        return converged ? ExitStatus::converged : ExitStatus::not_converged;
-      };
-      if (options.reproduce)
-        return status_of(run_reproduction(options.file, options.overrides, options.quiet, out));
-      if (options.schemes)
-        return status_of(compare_schemes(options.file, options.overrides, options.quiet, out));
-      const Scene scene = Scene::read(options.file, options.overrides);
-      if (!options.check)
-        return run_scene(scene, options.quiet, out, err);
       const Simulation simulation(scene);
       print_warnings(err, scene, simulation.input_warnings());
       describe(simulation, out);
       simulation.check_supports();
       return ExitStatus::converged;
     }
+
+    int status_of(const bool converged)
+    {
+      return converged ? ExitStatus::converged : ExitStatus::not_converged;
+    }
+
+    int study(const Arguments &arguments, std::ostream &out, std::ostream &err)
+    {
+      const std::vector<std::string> failed =
+          run_study(arguments.file, arguments.overrides, arguments.quiet, out);
+      for (const std::string &name : failed)
+        err << "abut: " << arguments.file << ": the variant `" << name
+            << "` has not reached what it was asked for; run it by itself to see why\n";
+      return status_of(failed.empty());
+    }
+
+    int schemes(const Arguments &arguments, std::ostream &out, std::ostream & /*err*/)
+    {
+      return status_of(compare_schemes(arguments.file, arguments.overrides, arguments.quiet, out));
+    }
+
+    int reproduce(const Arguments &arguments, std::ostream &out, std::ostream & /*err*/)
+    {
+      return status_of(run_reproduction(arguments.file, arguments.overrides, arguments.quiet, out));
+    }
+
+    const std::vector<Subcommand> &subcommands()
+    {
+      static const std::vector<Subcommand> all = {
+          {"study", "Run the variants that the file's section Study lists: error against run time", study},
+          {"schemes",
+           "Solve the contact on the file's meshes by every scheme: steps, seconds and error of each",
+           schemes},
+          {"reproduce",
+           "Run the file and the variants of its section Study; write the figures of "
+           "doc/reproducing-the-paper.md and their data",
+           reproduce}};
+      return all;
+    }
+
+    int run(const Arguments &arguments, std::ostream &out, std::ostream &err)
+    {
+      if (arguments.print_parameters)
+      {
+        Scene::print_parameters(out);
+        return ExitStatus::converged;
+      }
+      if (arguments.subcommand != nullptr)
+        return arguments.subcommand->run(arguments, out, err);
+      const Scene scene = Scene::read(arguments.file, arguments.overrides);
+      return arguments.check ? check_scene(scene, out, err) : run_scene(scene, arguments.quiet, out, err);
+    }
   } // namespace
 
   int run_command_line(const int argc, const char *const *argv, std::ostream &out, std::ostream &err)
   {
     int status = ExitStatus::converged;
-    const std::optional<Options> options = parse(argc, argv, status, out, err);
-    if (!options)
+    const std::optional<Arguments> arguments = parse_arguments(argc, argv, subcommands(), status, out, err);
+    if (!arguments)
       return status;
     try
     {
-      return run(*options, out, err);
+      return run(*arguments, out, err);
     }
     catch (const UserError &error)
     {
       const std::string text = error.what();
-      const bool names_file = options->file.empty() || text.find(options->file) != std::string::npos;
-      err << "abut: " << (names_file ? "" : options->file + ": ") << text << '\n';
+      const bool names_file = arguments->file.empty() || text.find(arguments->file) != std::string::npos;
+      err << "abut: " << (names_file ? "" : arguments->file + ": ") << text << '\n';
       return ExitStatus::wrong_input;
     }
     catch (const ComputationError &error)
     {
-      err << "abut: " << options->file << ": " << error.what() << ". No results were written\n";
+      err << "abut: " << arguments->file << ": " << error.what() << ". No results were written\n";
       return ExitStatus::not_converged;
     }
     catch (const std::bad_alloc &)
     {
-      err << "abut: " << options->file << ": out of memory; use fewer cells (Body <name>/Cells)\n";
+      err << "abut: " << arguments->file << ": out of memory; use fewer cells (Body <name>/Cells)\n";
       return ExitStatus::not_converged;
     }
     catch (const std::exception &error)
     {
-      err << "abut: " << options->file
+      err << "abut: " << arguments->file
           << ": ended by an error that the program does not know: " << error.what()
           << ". No results were written\n";
       return ExitStatus::not_converged;

@@ -2,6 +2,8 @@
 #include <abut/reference/contact_pressure.h>
 #include <abut/reference/periodic_kernel.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
@@ -25,7 +27,9 @@ namespace abut
       : basis_(basis), coefficients_(coefficients), weighted_(basis.quadrature() * coefficients),
         node_exponential_(
             (-imaginary_unit * contact_pressure_pi / basis.length() * basis.nodes()).array().exp())
-  {}
+  {
+    AssertDimension(coefficients_.size(), basis_.size());
+  }
 
   double ContactPressure::force() const
   {

@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/reference/contact_width.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -86,6 +88,7 @@ namespace abut
   double find_half_width_near(const double guess, const LayersContactData &data,
                               const std::function<double(double)> &approach_of)
   {
+    Assert(guess > 0., dealii::ExcMessage("a contact has a width"));
     const auto excess = [&](double a) { return approach_of(a) / data.approach - 1.; };
     constexpr double step = 1.001;
     std::uintmax_t n_iterations = 100;

@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/reference/flat_punch.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -56,6 +58,7 @@ namespace abut
 
   ExactStress FlatPunch::stress(const Vector2 &point) const
   {
+    Assert(point.allFinite(), dealii::ExcMessage("a point is finite"));
     const std::complex<double> z = punch_position(point);
     const double depth = z.imag();
     const std::complex<double> root = punch_root(z, data_.half_width);

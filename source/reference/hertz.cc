@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/reference/hertz.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -33,6 +35,7 @@ namespace abut
   double composite_modulus(const double young_modulus_1, const double poisson_ratio_1,
                            const double young_modulus_2, const double poisson_ratio_2)
   {
+    Assert(young_modulus_1 > 0. && young_modulus_2 > 0., dealii::ExcMessage("moduli are positive"));
     return 1. / ((1. - poisson_ratio_1 * poisson_ratio_1) / young_modulus_1 +
                  (1. - poisson_ratio_2 * poisson_ratio_2) / young_modulus_2);
   }

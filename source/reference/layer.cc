@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/reference/layer.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
@@ -81,6 +83,7 @@ namespace abut
 
   AiryWave Layer::wave(const double u) const
   {
+    Assert(u > 0., dealii::ExcMessage("a wave has a positive number"));
     const double e = std::exp(-2. * u);
     const double sinh_u = 0.5 * (1. - e); // times exp(u)
     const double cosh_u = 0.5 * (1. + e);
@@ -110,6 +113,10 @@ namespace abut
                                            const Eigen::MatrixXd &modes,
                                            const Eigen::MatrixXd &potential) const
   {
+    Assert(length > 0. && modes.rows() > 0,
+           dealii::ExcMessage("modes are those of a length, the mean first"));
+    AssertDimension(modes.cols(), potential.cols());
+    AssertDimension(potential.rows(), x.size());
     const Eigen::Index n_waves = modes.rows() - 1;
     Eigen::MatrixXd waves(x.size(), n_waves);
     for (Eigen::Index i = 0; i < n_waves; ++i)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/reference/layer_response.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -43,9 +45,11 @@ namespace abut
                                const Layer::Ends ends)
       : layer_(layer), pressure_(std::move(pressure)), ends_(ends)
   {
+    Assert(pressure_ != nullptr, dealii::ExcMessage("a layer answers a pressure"));
     layer_.check("The layer");
     const double length = pressure_->length();
     modes_ = pressure_->modes(layer_.n_thin_modes(length));
+    Assert(modes_.allFinite(), dealii::ExcMessage("a pressure has finite amplitudes"));
     for (Eigen::Index k = 1; k < modes_.size(); ++k)
       changes_.push_back(
           scaled(layer_.wave_change(double(k) * response_pi * layer_.thickness / length), modes_(k)));
@@ -93,6 +97,7 @@ namespace abut
 
   ExactStress LayerResponse::stress(const Vector2 &point) const
   {
+    Assert(point.allFinite(), dealii::ExcMessage("a point is finite"));
     const double height = std::min(point.y(), layer_.thickness);
     const double depth = layer_.thickness - height;
     const PeriodicPressure::Potential g = pressure_->complex_potential(point.x(), depth);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/reference/legendre_second_kind.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -78,6 +80,7 @@ namespace abut
   LegendreSecondKind legendre_second_kind(const std::complex<double> from_start,
                                           const std::complex<double> from_end)
   {
+    Assert(from_start.real() > from_end.real(), dealii::ExcMessage("a segment begins left of its end"));
     const std::complex<double> tau = (from_start + from_end) / (from_start.real() - from_end.real());
     const double square = std::norm(tau);
     if (square >= 25.)

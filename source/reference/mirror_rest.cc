@@ -2,6 +2,8 @@
 #include <abut/reference/mirror_rest.h>
 #include <abut/reference/periodic_kernel.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -30,6 +32,8 @@ namespace abut
   MirrorRest::MirrorRest(const double length, const Eigen::VectorXd &moments)
       : length_(length), nodes_(n_moments), weighted_(n_moments)
   {
+    Assert(length > 0., dealii::ExcMessage("a length is positive"));
+    AssertDimension(moments.size(), static_cast<Eigen::Index>(n_moments));
     using Gauss = boost::math::quadrature::gauss<double, n_moments>;
     for (Eigen::Index q = 0; q < n_moments; ++q)
     {

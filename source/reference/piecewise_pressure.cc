@@ -3,6 +3,8 @@
 #include <abut/reference/legendre_second_kind.h>
 #include <abut/reference/piecewise_pressure.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -166,6 +168,7 @@ namespace abut
   // int_{-1}^{1} P_n(t) exp(i omega t) dt = 2 i^n j_n(omega)
   Eigen::VectorXd PiecewisePressure::modes(const Eigen::Index n_modes) const
   {
+    Assert(n_modes >= 0, dealii::ExcMessage("a number of modes is not negative"));
     Eigen::VectorXd result = Eigen::VectorXd::Zero(n_modes + 1);
     result(0) = force() / length_;
     for (const PressurePiece &piece : pieces_)
@@ -205,6 +208,7 @@ namespace abut
 
   PeriodicPressure::Potential PiecewisePressure::complex_potential(const double x, const double depth) const
   {
+    Assert(depth >= 0., dealii::ExcMessage("a depth is measured downwards"));
     const double inside = std::remainder(x, 2. * length_);
     const std::complex<double> z(std::abs(inside), depth);
     const Potential poles = pole_part(z);

@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/reference/reentrant_corner.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -59,6 +61,7 @@ namespace abut
 
   ExactStress ReentrantCorner::stress(const Vector2 &point) const
   {
+    Assert(!point.isZero(0.), dealii::ExcMessage("the stress at the corner is infinite"));
     const std::complex<double> z = corner_position(point);
     const std::complex<double> slope = exponent_ * std::pow(z, exponent_ - 1.);
     const double mean = 2. * first_ * slope.real();

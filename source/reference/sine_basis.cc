@@ -2,6 +2,8 @@
 #include <abut/reference/periodic_kernel.h>
 #include <abut/reference/sine_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 
@@ -52,6 +54,8 @@ namespace abut
   SineBasis::SineBasis(const double half_width, const double length, const Eigen::Index size)
       : half_width_(half_width), length_(length), nodes_(4 * size + 60), quadrature_(4 * size + 60, size)
   {
+    Assert(half_width > 0. && half_width < length && size > 0,
+           dealii::ExcMessage("a contact ends within the layer and has shapes"));
     const double step = sine_basis_pi / double(nodes_.size() + 1);
     for (Eigen::Index q = 0; q < nodes_.size(); ++q)
     {
@@ -74,6 +78,7 @@ namespace abut
 
   Eigen::MatrixXd SineBasis::modes(const Eigen::Index n_modes) const
   {
+    Assert(n_modes >= 0, dealii::ExcMessage("a number of modes is not negative"));
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_modes + 1, size());
     result(0, 0) = sine_basis_pi * half_width_ / (4. * length_);
     for (Eigen::Index k = 1; k <= n_modes; ++k)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/reference/spline_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -41,6 +43,7 @@ namespace abut
   SplineBasis::SplineBasis(const double half_width, const double length, const Eigen::Index n_pieces)
       : length_(length), knots_(graded_knots(half_width, n_pieces))
   {
+    Assert(half_width > 0. && n_pieces > 0, dealii::ExcMessage("a contact has a width and pieces"));
     for (Eigen::Index j = 0; j <= 2 * n_pieces; ++j)
       shapes_.push_back(pressure(Eigen::VectorXd::Unit(2 * n_pieces + 1, j)));
     make_nodes();
@@ -51,6 +54,7 @@ namespace abut
   PiecewisePressure SplineBasis::pressure(const Eigen::VectorXd &coefficients) const
   {
     const Eigen::Index n_pieces = knots_.size() - 1;
+    AssertDimension(coefficients.size(), 2 * n_pieces + 1);
     Eigen::VectorXd values(n_pieces + 1), slopes = Eigen::VectorXd::Zero(n_pieces + 1);
     values(0) = coefficients(0);
     for (Eigen::Index i = 1; i <= n_pieces; ++i)

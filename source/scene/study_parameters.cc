@@ -26,6 +26,15 @@ namespace abut
       return overrides;
     }
 
+    /// `Section/Name` of `Section/Name=value`, without white space around the names.
+    std::string parameter_of(const std::string &override)
+    {
+      std::string parameter;
+      for (const std::string &name : split_outside_parentheses(override.substr(0, override.find('=')), '/'))
+        parameter += (parameter.empty() ? "" : "/") + name;
+      return parameter;
+    }
+
     std::vector<Variant> parse_variants(const std::string &text, const std::string &where)
     {
       std::vector<Variant> variants;
@@ -40,7 +49,7 @@ namespace abut
                           "`, a variant is written name: Section/Name=value | Section/Name=value");
         if (std::any_of(variants.begin(), variants.end(), [&](const Variant &v) { return v.name == name; }))
           throw UserError(where + ": the variant `" + name + "` is given twice, once is allowed");
-        variants.push_back({name, parse_overrides(trim(piece.substr(colon + 1)), where)});
+        variants.push_back({name, parse_overrides(trim(piece.substr(colon + 1)), where), {}});
       }
       return variants;
     }
@@ -52,7 +61,7 @@ namespace abut
       for (const Variant &a : first)
         for (const Variant &b : second)
         {
-          result.push_back({a.name + ", " + b.name, a.overrides});
+          result.push_back({a.name + ", " + b.name, a.overrides, {}});
           result.back().overrides.insert(result.back().overrides.end(), b.overrides.begin(),
                                          b.overrides.end());
         }
@@ -82,7 +91,11 @@ namespace abut
     if (!others.empty())
       study.variants = crossed(study.variants, others);
     for (Variant &variant : study.variants)
+    {
+      for (const std::string &override : variant.overrides)
+        variant.parameters.push_back(parameter_of(override));
       variant.overrides.insert(variant.overrides.begin(), common.begin(), common.end());
+    }
     return study;
   }
 } // namespace abut

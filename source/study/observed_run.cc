@@ -80,15 +80,15 @@ namespace abut
     }
   } // namespace
 
-  ObservedRun observe_run(const Scene &scene, const std::string &name, const Vector2 &monitored)
+  ObservedRun observe_run(const Scene &scene, const Vector2 &monitored)
   {
-    const std::size_t body = body_of_interest(scene);
     ObservedRun run;
-    run.name = name;
+    run.adaptation = scene.adaptation;
+    run.body = body_of_interest(scene);
     Simulation simulation(scene);
     RunObserver observer;
     observer.state = [&](const PassState &state) {
-      run.passes.push_back(observe_pass(state, body, monitored));
+      run.passes.push_back(observe_pass(state, run.body, monitored));
     };
     run.converged = simulation.run(observer).converged();
     return run;

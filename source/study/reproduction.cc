@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/numbers.h>
 #include <abut/base/user_error.h>
+#include <abut/comparison/layers_reference.h>
 #include <abut/report/atomic_file.h>
-#include <abut/report/plot.h>
+#include <abut/study/error_figures.h>
 #include <abut/study/paper_figures.h>
+#include <abut/study/paper_runs.h>
 #include <abut/study/reproduction.h>
+#include <abut/study/run_table.h>
+#include <abut/study/variants.h>
 
 #include <filesystem>
 #include <ostream>
-#include <sstream>
 
 namespace abut
 {
@@ -24,88 +26,57 @@ namespace abut
       return std::filesystem::path(scene.file).stem().string();
     }
 
-    PaperRuns run_all(const Scene &scene, const std::string &file, const std::vector<std::string> &overrides)
+    ObservedRun named_run(const Scene &scene, const std::string &name,
+                          const std::vector<std::string> &parameters)
     {
+      ObservedRun run = observe_run(scene, monitored_point);
+      run.name = name;
+      run.parameters = parameters;
+      return run;
+    }
+
+    PaperRuns run_all(const Scene &scene, const std::vector<std::string> &overrides)
+    {
+      const std::vector<StudyParameters::Variant> &variants = scene.study.variants;
       std::vector<Scene> scenes; // all are read before the first one runs
-      for (const StudyParameters::Variant &variant : scene.study.variants)
-      {
-        std::vector<std::string> all = overrides;
-        all.insert(all.end(), variant.overrides.begin(), variant.overrides.end());
-        scenes.push_back(Scene::read(file, all));
-      }
+      for (const StudyParameters::Variant &variant : variants)
+        scenes.push_back(read_variant(scene.file, overrides, variant));
+      make_output_directory(scene.output_directory);
       PaperRuns runs;
-      runs.base = observe_run(scene, name_of(scene), monitored_point);
+      runs.base = named_run(scene, name_of(scene), {});
       for (std::size_t i = 0; i < scenes.size(); ++i)
-        runs.variants.push_back(observe_run(scenes[i], scene.study.variants[i].name, monitored_point));
+        runs.variants.push_back(named_run(scenes[i], variants[i].name, variants[i].parameters));
       return runs;
     }
 
-    std::string shown_error(const std::optional<double> &error)
+    /// The paper's numerical example. Whether the scene itself reached what it was asked for.
+    bool reproduce_example(const Scene &scene, const std::vector<std::string> &overrides, std::string &text)
     {
-      return error ? short_number(*error, 3) : std::string("-");
+      if (scene.reference.solution != "infinite layers sliding")
+        throw UserError(scene.file +
+                        ": Reference/Exact solution must be 'infinite layers sliding' for the figures of "
+                        "the combined algorithm");
+      const LayersReference reference(scene, Layer::Ends::infinite, Layer::Base::sliding);
+      const PressedLayers &exact = reference.solution();
+      const PaperRuns runs = run_all(scene, overrides);
+      text =
+          write_run_table(scene, runs, exact.half_width()) + '\n' + write_paper_figures(scene, runs, exact);
+      return runs.base.converged;
     }
 
-    /// A line for each pass.
-    std::string error_table(const ObservedRun &run)
+    /// Errors against cost. The same answer.
+    bool reproduce_errors(const Scene &scene, const std::vector<std::string> &overrides, std::string &text)
     {
-      std::vector<std::vector<std::string>> table = {{run.name, "FEM", "FEM and BEM", "seconds",
-                                                      "for estimates", "steps", "stress", "energy",
-                                                      "pressure"}};
-      double estimates = 0.;
-      for (const ObservedPass &pass : run.passes)
-      {
-        const PassRecord &record = pass.record;
-        estimates += pass.estimate_seconds;
-        table.push_back({"pass " + std::to_string(record.pass + 1), std::to_string(record.counts.dofs),
-                         std::to_string(pass.all_unknowns), short_number(record.seconds, 3),
-                         short_number(estimates, 3), std::to_string(record.steps),
-                         shown_error(record.true_errors.stress), shown_error(record.true_errors.energy),
-                         shown_error(record.true_errors.pressure)});
-      }
-      return aligned(table);
-    }
-
-    std::string error_csv(const std::vector<ObservedRun> &runs)
-    {
-      std::ostringstream out;
-      out << "run,pass,fem,fem_and_bem,seconds,estimate_seconds,true_error_stress,true_error_energy\n";
-      for (const ObservedRun &run : runs)
-        for (const ObservedPass &pass : run.passes)
-          out << '"' << run.name << "\"," << pass.record.pass + 1 << ',' << pass.record.counts.dofs << ','
-              << pass.all_unknowns << ',' << exact_number(pass.record.seconds) << ','
-              << exact_number(pass.estimate_seconds) << ','
-              << exact_number(pass.record.true_errors.stress.value()) << ','
-              << exact_number(pass.record.true_errors.energy.value()) << '\n';
-      return out.str();
-    }
-
-    std::string error_figure(const std::vector<ObservedRun> &runs)
-    {
-      std::vector<Curve> by_unknowns, by_seconds;
-      for (const ObservedRun &run : runs)
-      {
-        Curve first{run.name, {}, Curve::Style::marks}, second = first;
-        for (const ObservedPass &pass : run.passes)
-        {
-          const double error = pass.record.true_errors.energy.value();
-          first.points.emplace_back(static_cast<double>(pass.all_unknowns), error);
-          second.points.emplace_back(pass.record.seconds, error);
-        }
-        by_unknowns.push_back(first);
-        by_seconds.push_back(second);
-      }
-      const Axis error{"true error, energy norm, relative", true};
-      return plots({{"a", {"unknowns, those of the boundary elements included", true}, error, by_unknowns},
-                    {"b", {"seconds, estimates included", true}, error, by_seconds}});
-    }
-
-    void write_errors(const Scene &scene, const std::vector<ObservedRun> &runs, std::ostream &out)
-    {
-      const std::filesystem::path folder(scene.output_directory);
-      write_file((folder / "errors.csv").string(), error_csv(runs));
-      write_file((folder / "errors.svg").string(), error_figure(runs));
-      for (const ObservedRun &run : runs)
-        out << error_table(run) << '\n';
+      const auto exact = make_exact_solution(scene);
+      if (exact == nullptr || !exact->stress(0))
+        throw UserError("Reference/Exact solution: received `" + scene.reference.solution +
+                        "`, allowed for `abut reproduce` without Adaptation/Combined are solutions with a "
+                        "stress: the figures show true errors");
+      PaperRuns runs = run_all(scene, overrides);
+      const bool converged = runs.base.converged;
+      runs.variants.insert(runs.variants.begin(), std::move(runs.base));
+      text = write_error_figures(scene, runs.variants);
+      return converged;
     }
   } // namespace
 
@@ -113,27 +84,11 @@ namespace abut
                         std::ostream &out)
   {
     const Scene scene = Scene::read(file, overrides);
-    if (scene.adaptation.combined)
-      exact_half_width(scene); // refuses scenes that the figures are not made for
-    else if (!scene.reference.is_named())
-      throw UserError("Reference/Exact solution: received `none`, allowed for `abut reproduce` without "
-                      "Adaptation/Combined are solutions with a stress: the figures show true errors");
-    make_output_directory(scene.output_directory);
-    PaperRuns runs = run_all(scene, file, overrides);
-    const bool converged = runs.base.converged;
-    std::ostringstream text;
-    if (scene.adaptation.combined)
-    {
-      text << write_run_table(scene, runs) << '\n';
-      text << write_paper_figures(scene, runs);
-    }
-    else
-    {
-      runs.variants.insert(runs.variants.begin(), std::move(runs.base));
-      write_errors(scene, runs.variants, text);
-    }
+    std::string text;
+    const bool converged = scene.adaptation.combined ? reproduce_example(scene, overrides, text)
+                                                     : reproduce_errors(scene, overrides, text);
     if (!quiet)
-      out << text.str() << "  Figures and data in " << scene.output_directory << '\n';
+      out << text << "  Figures and data in " << scene.output_directory << '\n';
     return converged;
   }
 } // namespace abut

@@ -7,12 +7,12 @@
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/report/atomic_file.h>
 #include <abut/run/model.h>
+#include <abut/study/result_file.h>
 #include <abut/study/scheme_comparison.h>
 #include <abut/study/scheme_table.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <ostream>
 
@@ -178,8 +178,7 @@ namespace abut
       runs.push_back(run_scheme(model, parameters, loads, reference));
     }
     make_output_directory(scene.output_directory);
-    const std::string path = (std::filesystem::path(scene.output_directory) / "schemes.csv").string();
-    write_file(path, scheme_csv(runs));
+    const std::string path = write_result(scene, "schemes.csv", scheme_csv(runs));
     if (!quiet)
       out << model.counts().dofs << " unknowns, " << model.problem().n_pressures()
           << " of the contact; tolerance " << short_number(parameters.tolerance)

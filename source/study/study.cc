@@ -3,10 +3,11 @@
 #include <abut/report/atomic_file.h>
 #include <abut/run/simulation.h>
 #include <abut/study/quality_table.h>
+#include <abut/study/result_file.h>
 #include <abut/study/study.h>
 #include <abut/study/study_table.h>
+#include <abut/study/variants.h>
 
-#include <filesystem>
 #include <ostream>
 
 namespace abut
@@ -23,9 +24,7 @@ namespace abut
     std::vector<std::string> failed;
     for (const StudyParameters::Variant &variant : scene.study.variants)
     {
-      std::vector<std::string> all = overrides;
-      all.insert(all.end(), variant.overrides.begin(), variant.overrides.end());
-      const Scene changed = Scene::read(file, all);
+      const Scene changed = read_variant(file, overrides, variant);
       Simulation simulation(changed);
       const Results results = simulation.run({});
       runs.push_back({variant.name, results.passes});
@@ -37,8 +36,7 @@ namespace abut
       if (!quiet && !quality.empty())
         out << quality << std::endl;
     }
-    const std::string path = (std::filesystem::path(scene.output_directory) / "study.csv").string();
-    write_file(path, study_csv(runs));
+    const std::string path = write_result(scene, "study.csv", study_csv(runs));
     if (!quiet)
       out << "  The same in " << path << '\n';
     return failed;

@@ -12,6 +12,7 @@ namespace
 {
   using abut::testing::Answer;
   using abut::testing::column;
+  using abut::testing::expect_refused;
   using abut::testing::project_file;
   using abut::testing::read_file;
   using abut::testing::run;
@@ -71,6 +72,42 @@ TEST(Reproduction, TheCombinedAlgorithmEndsAfterAFewPassesAndRefinesTheContactZo
     EXPECT_LT(together[i], uniform[i]);
 }
 
+// What a run is to a figure follows from its parameters: the names of variants are for people.
+TEST(Reproduction, TheFiguresDoNotDependOnTheNamesOfVariants)
+{
+  const std::string parameters[] = {"Adaptation/Limit=0.4", "Adaptation/Limit=0.3",
+                                    "Adaptation/Normalisation=rms | Adaptation/Limit=0.35",
+                                    "Adaptation/Combined=false | Adaptation/Estimator=none | "
+                                    "Adaptation/Limit=0 | Body lower/Adapt=false"};
+  const auto answer_of = [&](const std::vector<std::string> &names) {
+    std::string variants;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      variants += (i == 0 ? "" : "; ") + names[i] + ": " + parameters[i];
+    return reproduce("two-layers-paper", variants, {"--set", "Adaptation/Limit=0.5"});
+  };
+  const Answer plain = answer_of({"0.4", "0.3", "other", "limit"});
+  const Answer renamed = answer_of({"limit", "0.7", "0.2", "last"});
+  ASSERT_EQ(plain.status, 0) << plain.err;
+  ASSERT_EQ(renamed.status, 0) << renamed.err;
+  EXPECT_EQ(column(plain.directory + "/figure08.csv", "delta"), (std::vector<double>{.4, .3}));
+  for (const std::string file : {"figure08.csv", "figure08.svg", "figure10.csv", "figure10.svg"})
+    EXPECT_EQ(read_file(plain.directory + "/" + file), read_file(renamed.directory + "/" + file)) << file;
+  for (const std::string name : {"pass", "cells", "eta", "force", "u_1", "u_2"})
+  {
+    const std::vector<double> first = column(plain.directory + "/passes.csv", name),
+                              second = column(renamed.directory + "/passes.csv", name);
+    ASSERT_EQ(first.size(), second.size());
+    for (std::size_t i = 0; i < first.size(); ++i)
+      EXPECT_TRUE(first[i] == second[i] || (std::isnan(first[i]) && std::isnan(second[i]))) << name << i;
+  }
+  const auto figures = [](const Answer &answer) { return answer.out.substr(answer.out.find("  delta")); };
+  const auto shown = [&](const Answer &answer) {
+    return figures(answer).substr(0, figures(answer).find("  Figures and data in"));
+  };
+  EXPECT_EQ(shown(plain), shown(renamed));
+  EXPECT_NE(shown(plain).find("limit of the iteration"), std::string::npos);
+}
+
 TEST(Reproduction, ErrorsFallAndEstimatesAreCountedToTheirCost)
 {
   const Answer answer =
@@ -96,4 +133,10 @@ TEST(Reproduction, ASceneWithoutTheExactSolutionOfTheFiguresIsRefused)
       "two-layers-paper", "", {"--set", "Reference/Exact solution=none", "--set", "Adaptation/Limit=0.5"});
   EXPECT_EQ(answer.status, 1);
   EXPECT_NE(answer.err.find("Reference/Exact solution"), std::string::npos) << answer.err;
+}
+
+TEST(Reproduction, TrueErrorsNeedASolutionWithAStress)
+{
+  for (const std::string scene : {"hertz", "disc-between-plates"})
+    expect_refused(reproduce(scene, ""), {"Reference/Exact solution: received `", "with a stress"});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // The contact law of the layers' exact solution: with `penalised` it has the penalty of the scene's pair.
+#include <abut/base/numbers.h>
 #include <abut/reference/layers_contact.h>
 #include <abut/reference/penalised_layers_contact.h>
 #include <abut/run/model.h>
@@ -65,6 +66,24 @@ namespace
                       std::pair{Overrides{"Contact interface/Penalty coefficient=5e-4",
                                           "Body upper/Contact depth=0.5"},
                                 3.75e-4 / 2.1e5}));
+
+  // The depth behind a side is that of the pair, wherever the bodies lie and whatever their heights.
+  TEST(LayersReference, has_the_penalty_of_bodies_that_are_turned_and_of_different_heights)
+  {
+    const Overrides placed = {"Body upper/Size=4, 0.5",
+                              "Body lower/Size=4, 2",
+                              "Body upper/Rotation angle=30",
+                              "Body lower/Rotation angle=30",
+                              "Body upper/Shift=-1, 1.7320508075688772",
+                              penalised};
+    Overrides by_coefficient = placed, by_value = placed;
+    by_coefficient.push_back("Contact interface/Penalty coefficient=0.05");
+    const Scene scene = small_layers(by_coefficient);
+    const double penalty = Model(scene, nullptr).pairs().front()->penalty();
+    EXPECT_NEAR(penalty / (.5 * .05 * (.5 + 2.) / 2.1e5), 1., 1e-12);
+    by_value.push_back("Contact interface/Penalty=" + exact_number(penalty));
+    EXPECT_NEAR(force_of(scene) / force_of(small_layers(by_value)), 1., 1e-10);
+  }
 
   // Lengths twice as large with the same moduli: displacements and theta too, stresses as before.
   TEST(LayersReference, has_the_penalty_in_the_lengths_of_the_bodies)

@@ -101,6 +101,18 @@ TEST(SceneStudy, crosses_two_lists_after_the_common_overrides)
   EXPECT_EQ(study.variants[3].overrides, (std::vector<std::string>{"a/b=1", "e=5"}));
 }
 
+TEST(SceneStudy, tells_what_a_variant_sets_beside_the_common_overrides)
+{
+  const SceneFile file(two_squares);
+  const StudyParameters study =
+      file.read({"Study/Common=a/b=1",
+                 "Study/Variants=one: c / d =2 | a/b=3; two:", "Study/Crossed with=x: e=4=5"})
+          .study;
+  ASSERT_EQ(study.variants.size(), 2u);
+  EXPECT_EQ(study.variants[0].parameters, (std::vector<std::string>{"c/d", "a/b", "e"}));
+  EXPECT_EQ(study.variants[1].parameters, (std::vector<std::string>{"e"}));
+}
+
 TEST(SceneStudy, refuses_what_is_no_list)
 {
   expect_refused({"Study/Variants=one"}, "a variant is written name:");

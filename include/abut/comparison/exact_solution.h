@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/results/results.h>
+#include <abut/base/material.h>
+#include <abut/scene/scene.h>
 
 #include <functional>
 #include <memory>
@@ -9,6 +10,8 @@
 
 namespace abut
 {
+  struct BodyResult;
+
   /// A stress at a point of a body's own frame.
   using OwnStress = std::function<Stress(const Vector2 &own_point)>;
 

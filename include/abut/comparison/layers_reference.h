@@ -20,6 +20,9 @@ namespace abut
     /// Throws UserError when the scene is not that of two such layers.
     LayersReference(const Scene &scene, Layer::Ends ends, Layer::Base base);
 
+    /// In the frames of the layers.
+    const PressedLayers &solution() const { return *solution_; }
+
     OwnStress stress(std::size_t body) const override;
     std::function<double(const Vector2 &)> pressure() const override;
     std::optional<double> force() const override { return solution_->force(); }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <abut/comparison/exact_solution.h>
-#include <abut/results/estimation.h>
 #include <abut/results/estimator_quality.h>
 
 namespace abut
 {
+  struct Estimation;
+  struct PairResult;
+
   /// Empty where the solution does not know the response to the applied traction.
   std::optional<EstimatorQuality> estimator_quality(const ExactSolution &exact, const Estimation &estimation,
                                                     const std::vector<BodyResult> &bodies,

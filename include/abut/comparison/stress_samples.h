@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/cells.h>
 #include <abut/comparison/exact_solution.h>
+
+#include <vector>
 
 namespace abut
 {
@@ -14,12 +17,12 @@ namespace abut
     Stress computed;
   };
 
-  /// Cell by cell.
+  /// Cell by cell. The body has been solved: `deformation` is that of all its unknowns.
   std::vector<StressSample> stress_samples(const BodyResult &result, SamplePoints points);
 
   /// A stress of the plane in the own frame of a body.
   Stress in_own_frame(const Stress &stress, const Placement &placement);
 
-  /// An exact stress at the samples; in parallel.
+  /// An exact stress at the samples, all finite; in parallel.
   std::vector<Stress> at_samples(const OwnStress &exact, const std::vector<StressSample> &samples);
 } // namespace abut

@@ -5,6 +5,9 @@
 
 namespace abut
 {
+  struct PairResult;
+  struct TrueErrors;
+
   /**
    * Relative errors against an exact solution, as far as it tells (iteration is part of the error, and so is
    * the penalty unless the solution has it too): energy norm of all bodies' displacement; stress in L2 over

@@ -17,7 +17,8 @@ namespace abut
     struct Variant
     {
       std::string name;
-      std::vector<std::string> overrides; ///< `Section/Name=value`, in their order
+      std::vector<std::string> overrides;  ///< `Section/Name=value`, in their order
+      std::vector<std::string> parameters; ///< `Section/Name`: what it sets beside the common overrides
     };
     std::vector<Variant> variants; ///< crossed, with the common overrides before their own; may be empty
 

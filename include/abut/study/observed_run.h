@@ -27,14 +27,18 @@ namespace abut
 
   struct ObservedRun
   {
-    std::string name;
+    std::string name;                    ///< for tables and legends
+    std::vector<std::string> parameters; ///< see StudyParameters::Variant; empty for the scene itself
+    AdaptationParameters adaptation;     ///< that it ran with
+    std::size_t body = 0;                ///< the one of interest
     std::vector<ObservedPass> passes;
     bool converged = false; ///< has reached what it was asked for
 
     const ObservedPass &last() const { return passes.back(); }
   };
 
-  /// Runs a scene and keeps what figures show. `monitored`: a point of the body of interest. Throws UserError
-  /// (also where the point lies outside) and ComputationError.
-  ObservedRun observe_run(const Scene &scene, const std::string &name, const Vector2 &monitored);
+  /// Runs a scene and keeps what figures show; `name` and `parameters` are those of the caller. `monitored`:
+  /// a point of the body of interest. Throws UserError (also where the point lies outside) and
+  /// ComputationError.
+  ObservedRun observe_run(const Scene &scene, const Vector2 &monitored);
 } // namespace abut

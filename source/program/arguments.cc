@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/program/arguments.h>
+#include <abut/program/command_line.h>
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+
+namespace abut
+{
+  namespace
+  {
+    void add_options(CLI::App &app, Arguments &arguments, std::string &output)
+    {
+      app.set_version_flag("--version", "abut " ABUT_VERSION);
+      app.add_option("FILE.prm", arguments.file, "Parameter file: the scene to solve");
+      app.add_option("--set", arguments.overrides,
+                     "Override a parameter: 'Section/Sub/Name=value' (repeatable)")
+          ->take_all()
+          ->allow_extra_args(false);
+      app.add_option("--output", output, "Folder of the results (overrides Output/Directory)");
+      app.add_flag("--check", arguments.check, "Check the scene, print what would be solved, and stop");
+      app.add_flag("--quiet", arguments.quiet, "No progress and no tables; errors only");
+      app.add_flag("--print-parameters", arguments.print_parameters,
+                   "Print every parameter with its documentation and default, and stop");
+    }
+
+    /// Of several that are given the one listed first counts.
+    void add_subcommands(CLI::App &app, const std::vector<Subcommand> &subcommands, Arguments &arguments)
+    {
+      for (const Subcommand &subcommand : subcommands)
+        app.add_subcommand(subcommand.name, subcommand.documentation)
+            ->fallthrough()
+            ->parse_complete_callback([&] {
+              if (arguments.subcommand == nullptr || &subcommand < arguments.subcommand)
+                arguments.subcommand = &subcommand;
+            });
+    }
+
+    /// The exit status after the parser has given up: with an answer, or for a mistake.
+    int answer(const CLI::App &app, const CLI::ParseError &error, std::ostream &out, std::ostream &err)
+    {
+      const bool is_answer = error.get_exit_code() == 0; // --help, --version
+      if (is_answer)
+        app.exit(error, out, err);
+      else
+        err << "abut: " << error.what() << "; `abut --help` lists what is allowed\n";
+      return is_answer ? ExitStatus::converged : ExitStatus::wrong_input;
+    }
+  } // namespace
+
+  std::optional<Arguments> parse_arguments(const int argc, const char *const *argv,
+                                           const std::vector<Subcommand> &subcommands, int &status,
+                                           std::ostream &out, std::ostream &err)
+  {
+    Arguments arguments;
+    std::string output;
+    CLI::App app("abut: frictionless contact of elastic bodies in plane strain, solved body by body.",
+                 "abut");
+    add_options(app, arguments, output);
+    add_subcommands(app, subcommands, arguments);
+    // After the subcommands, which would inherit it.
+    app.footer("Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did not "
+               "reach what it was asked for (the results say so).");
+    try
+    {
+      app.parse(argc, argv);
+      if (arguments.file.empty() && !arguments.print_parameters)
+        throw CLI::RequiredError("FILE.prm");
+    }
+    catch (const CLI::ParseError &error)
+    {
+      status = answer(app, error, out, err);
+      return {};
+    }
+    if (!output.empty())
+      arguments.overrides.push_back("Output/Directory=" + output);
+    return arguments;
+  }
+} // namespace abut
