@@ -2,68 +2,22 @@
 //
 // One von Mises stress: that of the table is that of the files.
 
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 #include <gtest/gtest.h>
 
+#include "../unit/vtu_file.h"
 #include "program.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <sstream>
-#include <zlib.h>
 
 using namespace abut::testing;
 
 namespace
 {
-  std::string from_base64(const std::string &text)
-  {
-    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    unsigned int bits = 0;
-    int n_bits = 0;
-    for (const char c : text)
-    {
-      const auto digit = digits.find(c);
-      if (digit == std::string::npos) // the padding
-        break;
-      bits = (bits << 6U) | static_cast<unsigned int>(digit);
-      n_bits += 6;
-      if (n_bits >= 8)
-      {
-        n_bits -= 8;
-        bytes.push_back(static_cast<char>((bits >> static_cast<unsigned int>(n_bits)) & 255U));
-      }
-    }
-    return bytes;
-  }
-
-  /// An array of a VTU file, at its points: zlib, one block.
+  /// A field of a VTU file, at its points.
   std::vector<double> vtu_array(const std::string &path, const std::string &name)
   {
-    std::istringstream file(read_file(path));
-    boost::property_tree::ptree tree;
-    read_xml(file, tree);
-    std::string text;
-    for (const auto &[tag, array] : tree.get_child("VTKFile.UnstructuredGrid.Piece.PointData"))
-      if (tag == "DataArray" && array.get<std::string>("<xmlattr>.Name") == name)
-        text = array.data();
-    text.erase(std::remove_if(text.begin(), text.end(), [](const char c) { return std::isspace(c) != 0; }),
-               text.end());
-    constexpr std::size_t header_digits = 24; // four numbers of four bytes in base 64
-    std::uint32_t header[4];                  // blocks, size of a block, of the last one, compressed size
-    const std::string head = from_base64(text.substr(0, header_digits)),
-                      packed = from_base64(text.substr(header_digits));
-    std::memcpy(header, head.data(), sizeof header);
-    std::vector<float> values(header[1] / sizeof(float));
-    uLongf size = header[1];
-    EXPECT_EQ(header[0], 1u);
-    EXPECT_EQ(uncompress(reinterpret_cast<Bytef *>(values.data()), &size,
-                         reinterpret_cast<const Bytef *>(packed.data()), packed.size()),
-              Z_OK);
-    return {values.begin(), values.end()};
+    const VtuFile file(read_file(path));
+    return file.fields.at(name).values;
   }
 
   double largest(const std::vector<double> &values)
