@@ -22,6 +22,18 @@ namespace abut
   {
     using Loads = InterfaceProblem::Loads;
 
+    const std::string reference_scheme = "newton"; // its solution is what the others are measured by
+
+    /// All that there are, that of the reference solution first.
+    std::vector<std::string> compared_schemes()
+    {
+      std::vector<std::string> names = {reference_scheme};
+      for (const SchemeEntry &scheme : Registry<SchemeEntry>::get().entries())
+        if (scheme.name != reference_scheme)
+          names.push_back(scheme.name);
+      return names;
+    }
+
     /// The solution that the others are measured by.
     struct ReferenceSolution
     {
@@ -41,7 +53,7 @@ namespace abut
                                       const Loads &loads)
     {
       constexpr double asked = 1e-13, needed = 1e-9; // round-off may leave more than is asked
-      parameters.scheme = "newton";
+      parameters.scheme = reference_scheme;
       parameters.tolerance = asked;
       parameters.maximum_steps = DecompositionParameters().maximum_steps;
       ReferenceSolution reference;
@@ -172,9 +184,9 @@ namespace abut
     parameters.stopping_rule = StoppingRule::bound;
     const ReferenceSolution reference = solve_reference(model.problem(), parameters, loads);
     std::vector<SchemeRun> runs;
-    for (const SchemeEntry &scheme : Registry<SchemeEntry>::get().entries())
+    for (const std::string &scheme : compared_schemes())
     {
-      parameters.scheme = scheme.name;
+      parameters.scheme = scheme;
       runs.push_back(run_scheme(model, parameters, loads, reference));
     }
     make_output_directory(scene.output_directory);
