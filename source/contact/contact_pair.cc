@@ -97,24 +97,11 @@ namespace abut
     return nearest;
   }
 
-  namespace
-  {
-    /// Every displacement turned by -90 degrees: its component along n is the other's along the tangent, n
-    /// turned by +90 degrees.
-    Eigen::VectorXd turned(const Eigen::VectorXd &displacement)
-    {
-      Eigen::VectorXd result(displacement.size());
-      for (Index i = 0; i < displacement.size(); i += 2)
-        result.segment<2>(i) << displacement[i + 1], -displacement[i];
-      return result;
-    }
-  } // namespace
-
   Eigen::VectorXd ContactPair::sliding(const Eigen::VectorXd &cut_displacement,
                                        const Eigen::VectorXd &other_displacement) const
   {
-    const Eigen::VectorXd integrals =
-        coupling_.cut * turned(cut_displacement) + coupling_.other * turned(other_displacement);
+    const Eigen::VectorXd integrals = coupling_.cut[tangential_direction] * cut_displacement +
+                                      coupling_.other[tangential_direction] * other_displacement;
     return (weights().array() > 0.).select(integrals.cwiseQuotient(weights()), 0.);
   }
 

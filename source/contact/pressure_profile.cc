@@ -31,7 +31,7 @@ namespace abut
 
   Eigen::VectorXd PressureProfile::on_parts_of(const ContactSurface &surface) const
   {
-    Eigen::VectorXd lengths = Eigen::VectorXd::Zero(surface.n_multipliers()), sums = lengths;
+    Eigen::VectorXd lengths = Eigen::VectorXd::Zero(surface.n_parts()), sums = lengths;
     auto first = intervals_.begin(); // that may still meet the present interval
     for (const Interval &interval : intervals_of(surface))
     {

@@ -47,11 +47,14 @@ namespace abut
     std::vector<Index> multipliers_of(const InterfaceProblem &problem, const std::size_t body)
     {
       std::vector<bool> presses(static_cast<std::size_t>(problem.n_pressures()), false);
-      problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
+      const MultiplierLayout &layout = problem.layout();
+      problem.for_each_pair([&](const ContactPair &pair, const std::size_t surface) {
         if (pair.slave().body == body || pair.master().body == body)
           for (Index k = 0; k < pair.weights().size(); ++k)
-            if (pair.weights()[k] > 0.)
-              presses[static_cast<std::size_t>(offset + k)] = true;
+            for (Index component = 0; component < layout.n_components(); ++component)
+              if (pair.weights()[k] > 0.)
+                presses[static_cast<std::size_t>(
+                    layout.index(surface, static_cast<std::size_t>(k), component))] = true;
       });
       std::vector<Index> result;
       for (std::size_t k = 0; k < presses.size(); ++k)

@@ -25,9 +25,10 @@ namespace abut
   Eigen::VectorXd part_softness(const InterfaceProblem &problem)
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(problem.n_pressures());
-    problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
-      result.segment(offset, pair.weights().size()) +=
-          (1. / pair.slave().young_modulus + 1. / pair.master().young_modulus) * pair.weights();
+    problem.for_each_pair([&](const ContactPair &pair, const std::size_t surface) {
+      for (Index component = 0; component < problem.layout().n_components(); ++component)
+        result(problem.layout().indices(surface, component)) +=
+            (1. / pair.slave().young_modulus + 1. / pair.master().young_modulus) * pair.weights();
     });
     return result;
   }
@@ -42,14 +43,13 @@ namespace abut
     const Eigen::VectorXd squares = problem.weights().cwiseAbs2();
     for (std::size_t surface = 0; surface < problem.surfaces().size(); ++surface)
     {
-      const Index offset = problem.pressure_offset(surface);
       const Eigen::VectorXd own_work = problem.of_surface(surface, work),
                             own_squares = problem.of_surface(surface, squares);
       for (const Stretch &stretch : problem.surfaces()[surface].partition().stretches())
         for (std::size_t k = stretch.first; k < stretch.last; ++k)
         {
           const double softness = sum_around(stretch, k, own_work) / sum_around(stretch, k, own_squares);
-          const Index multiplier = offset + static_cast<Index>(k);
+          const Index multiplier = problem.layout().index(surface, k, normal_direction);
           if (softness > 0.) // not where all is held
             beta_[multiplier] = std::min(beta_[multiplier], softness * problem.weights()[multiplier]);
         }
@@ -60,15 +60,15 @@ namespace abut
                                      const Eigen::VectorXd &pressure_response,
                                      const Eigen::VectorXd &response) const
   {
-    return relative(residual(pressures, problem_.gaps(response), Eigen::VectorXd::Zero(pressures.size())),
-                    loads, pressures, pressure_response);
+    return relative(residual(pressures, response, Eigen::VectorXd::Zero(pressures.size())), loads, pressures,
+                    pressure_response);
   }
 
   double ContactResidual::algebraic(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &pressures,
                                     const Eigen::VectorXd &pressure_response,
                                     const Eigen::VectorXd &response) const
   {
-    const Eigen::VectorXd left = residual(pressures, problem_.gaps(response), beta_);
+    const Eigen::VectorXd left = residual(pressures, response, beta_);
     // Bodies that touch without force: there is nothing to compare round-off with.
     const Index n = pressures.size();
     const Eigen::VectorXd terms = loads.response.head(n).cwiseAbs() + pressure_response.head(n).cwiseAbs() +
@@ -81,17 +81,10 @@ namespace abut
     return relative(left, loads, pressures, pressure_response);
   }
 
-  Eigen::VectorXd ContactResidual::residual(const Eigen::VectorXd &pressures, const Eigen::VectorXd &gaps,
+  Eigen::VectorXd ContactResidual::residual(const Eigen::VectorXd &pressures, const Eigen::VectorXd &response,
                                             const Eigen::VectorXd &beta) const
   {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(pressures.size());
-    for (Index i = 0; i < pressures.size(); ++i)
-    {
-      const double theta = problem_.penalties()[i];
-      result[i] =
-          pressures[i] - std::max(0., pressures[i] - (gaps[i] + theta * pressures[i]) / (theta + beta[i]));
-    }
-    return result;
+    return problem_.law().residual(pressures, problem_.gaps(response), problem_.penalties(), beta);
   }
 
   double ContactResidual::relative(const Eigen::VectorXd &residual, const InterfaceProblem::Loads &loads,

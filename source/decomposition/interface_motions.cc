@@ -24,7 +24,7 @@ namespace abut
     Eigen::VectorXd side_scales(const InterfaceProblem &problem, const InterfaceMotions &motions)
     {
       std::vector<double> lengths(problem.bodies().size(), 0.);
-      problem.for_each_pair([&](const ContactPair &pair, Index) {
+      problem.for_each_pair([&](const ContactPair &pair, std::size_t) {
         for (const ContactBody &side : {pair.slave(), pair.master()})
           lengths[side.body] += pair.weights().sum();
       });

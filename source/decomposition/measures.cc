@@ -37,7 +37,6 @@ namespace abut
                          const double bound, const Eigen::VectorXd &pressures)
   {
     AssertDimension(pressures.size(), problem.n_pressures());
-    return {step, increment, bound, problem.weights().dot(pressures),
-            pressures.size() > 0 ? pressures.maxCoeff() : 0.};
+    return {step, increment, bound, problem.normal_force(pressures), problem.max_pressure(pressures)};
   }
 } // namespace abut

@@ -42,7 +42,7 @@ namespace abut
         for (const ContactBody &side : {pair.slave(), pair.master()})
           bodies
               .try_emplace(side.body, PressedBody{{1. / (pi * side.young_modulus), .5 * side.depth},
-                                                  Eigen::VectorXd::Zero(surface.n_multipliers())})
+                                                  Eigen::VectorXd::Zero(surface.n_parts())})
               .first->second.weights += pair.weights();
       return bodies;
     }
@@ -98,7 +98,7 @@ namespace abut
           add_body(body, surface.partition().parts(), stretch, block);
         block = Eigen::MatrixXd(block.selfadjointView<Eigen::Lower>());
         make_definite(block);
-        blocks_.push_back({problem.pressure_offset(i) + static_cast<Index>(stretch.first), std::move(block)});
+        blocks_.push_back({problem.layout().index(i, stretch.first, normal_direction), std::move(block)});
       }
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/motion_terms.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -20,6 +22,7 @@ namespace abut
 
   Eigen::VectorXd MotionTerms::amplitudes(const Eigen::VectorXd &of_held) const
   {
+    AssertDimension(of_held.size(), size());
     Eigen::VectorXd result = Eigen::VectorXd::Zero(all.size());
     result(held) = of_held;
     return result;
@@ -27,6 +30,7 @@ namespace abut
 
   double MotionTerms::force_scale(const Eigen::VectorXd &pressures) const
   {
+    AssertDimension(pressures.size(), gaps.rows());
     if (size() == 0)
       return 0.;
     const Eigen::VectorXd along = gaps.cwiseAbs().transpose() * pressures.cwiseAbs(),
@@ -37,6 +41,7 @@ namespace abut
 
   bool MotionTerms::is_balanced(const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes) const
   {
+    AssertDimension(amplitudes.size(), size());
     constexpr double share = 1e-10;
     constexpr double round_off = 100. * std::numeric_limits<double>::epsilon();
     return imbalance(pressures, amplitudes) <=
@@ -51,9 +56,11 @@ namespace abut
       for (Index k = 0; k < terms.size(); ++k)
       {
         const std::size_t body = terms.all.body_of(terms.held[static_cast<std::size_t>(k)]);
-        problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
+        problem.for_each_pair([&](const ContactPair &pair, const std::size_t surface) {
+          const Eigen::RowVectorXd weights = pair.weights();
           if (pair.slave().body == body || pair.master().body == body)
-            reach.row(k).segment(offset, pair.weights().size()) += pair.weights().transpose();
+            for (Index component = 0; component < problem.layout().n_components(); ++component)
+              reach(k, problem.layout().indices(surface, component)) += weights;
         });
       }
       return reach;

@@ -27,8 +27,11 @@ namespace abut
     const Index n = problem.n_pressures();
     // p = S q with S = (D theta)^(-1/2) turns the pencil (C, D theta) into the symmetric matrix S C S.
     Eigen::ArrayXd scaling = Eigen::ArrayXd::Zero(n);
+    const std::vector<bool> takes_part = active != nullptr
+                                             ? problem.law().active(*active)
+                                             : std::vector<bool>(static_cast<std::size_t>(n), true);
     for (Index i = 0; i < n; ++i)
-      if (active == nullptr || (*active)[i] > 0.)
+      if (takes_part[static_cast<std::size_t>(i)])
         scaling[i] = 1. / std::sqrt(problem.weights()[i] * problem.penalties()[i]);
     if (scaling.isZero(0.))
       return 1.;

@@ -92,7 +92,7 @@ namespace abut
     NeumannStep<Fields> step =
         take_neumann_step(problem, gamma, state.displacements, response,
                           [&](const Eigen::VectorXd &pressures) { return respond(setup_.model, pressures); });
-    outcome.state.pressures = relaxed(gamma, step.pressures, state.pressures.cwiseMax(0.));
+    outcome.state.pressures = relaxed(gamma, step.pressures, problem.law().project(state.pressures));
 
     SchemeResult &iteration = outcome.solution.iteration;
     iteration.traction = state_is_field_ ? outcome.state.pressures : step.pressures;

@@ -113,9 +113,11 @@ namespace abut
     AssertDimension(state.displacements.size(), bodies_.size());
     AssertDimension(state.pressures.size(), problem_->n_pressures());
     Adapted adapted{state};
-    std::vector<PressureProfile> profiles; // before the sides change
+    const Index n_components = problem_->layout().n_components();
+    std::vector<PressureProfile> profiles; // of every component, before the sides change
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
-      profiles.emplace_back(surfaces_[k], problem_->of_surface(k, state.pressures));
+      for (Index c = 0; c < n_components; ++c)
+        profiles.emplace_back(surfaces_[k], problem_->of_surface(k, state.pressures, c));
     for (std::size_t a = 0; a < bodies_.size(); ++a)
     {
       if (!marks[a].any())
@@ -132,9 +134,10 @@ namespace abut
         surfaces_[k] = make_surface(groups_[k]);
     make_problem();
     adapted.state.pressures.resize(problem_->n_pressures());
+    auto profile = profiles.begin();
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
-      adapted.state.pressures.segment(problem_->pressure_offset(k), surfaces_[k].n_multipliers()) =
-          profiles[k].on_parts_of(surfaces_[k]);
+      for (Index c = 0; c < n_components; ++c)
+        adapted.state.pressures(problem_->layout().indices(k, c)) = (profile++)->on_parts_of(surfaces_[k]);
     return adapted;
   }
 } // namespace abut

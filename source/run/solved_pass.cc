@@ -71,7 +71,7 @@ namespace abut
     }
     std::optional<Eigen::VectorXd> start;
     if (carried)
-      start = carried->pressures.cwiseMax(0.);
+      start = setup_.model.problem().law().project(carried->pressures);
     const double guess = carried ? carried->rigid_displacement : 0.;
     SchemeResult &iteration = outcome.solution.iteration;
     StepTeller teller(setup_, observer, outcome.times);

@@ -32,16 +32,19 @@ namespace abut
               (piece.end - piece.start) * rule_.weights[q] * cut_.tangent(segment, s).norm();
           const Opposite opposite = normal_.project(piece.cut_segment, s, piece.other_segment);
           add_gap(piece.part, weight, cut_.point(segment, s), opposite);
-          add_row(piece.part, -weight, cut_.basis().values(s), segment, opposite.normal, of_cut_);
-          add_row(piece.part, weight, other_.basis().values(opposite.t), opposite_segment, opposite.normal,
-                  of_other_);
+          add_rows(piece.part, -weight, cut_.basis().values(s), segment, opposite.normal, of_cut_);
+          add_rows(piece.part, weight, other_.basis().values(opposite.t), opposite_segment, opposite.normal,
+                   of_other_);
         }
       }
 
       Coupling result()
       {
-        result_.cut = assemble(of_cut_, cut_);
-        result_.other = assemble(of_other_, other_);
+        for (std::size_t d = 0; d < n_directions; ++d)
+        {
+          result_.cut[d] = assemble(of_cut_[d], cut_);
+          result_.other[d] = assemble(of_other_[d], other_);
+        }
         return std::move(result_);
       }
 
@@ -62,20 +65,23 @@ namespace abut
         result_.deepest = std::max(result_.deepest, -opposite.gap);
       }
 
-      static void add_row(const std::size_t part, const double weight, const Eigen::VectorXd &values,
-                          const Segment &segment, const Vector2 &normal, Triplets &triplets)
+      using ByDirection = std::array<Triplets, n_directions>;
+
+      static void add_rows(const std::size_t part, const double weight, const Eigen::VectorXd &values,
+                           const Segment &segment, const Vector2 &normal, ByDirection &triplets)
       {
-        for (std::size_t j = 0; j < segment.nodes.size(); ++j)
-          for (int component = 0; component < 2; ++component)
-            triplets.emplace_back(static_cast<int>(part), static_cast<int>(2 * segment.nodes[j]) + component,
-                                  weight * values[static_cast<Index>(j)] * normal[component]);
+        const std::array<Vector2, n_directions> directions = {{normal, Vector2(-normal.y(), normal.x())}};
+        for (std::size_t d = 0; d < n_directions; ++d)
+          for (std::size_t j = 0; j < segment.nodes.size(); ++j)
+            for (int component = 0; component < 2; ++component)
+              triplets[d].emplace_back(static_cast<int>(part),
+                                       static_cast<int>(2 * segment.nodes[j]) + component,
+                                       weight * values[static_cast<Index>(j)] * directions[d][component]);
       }
 
-      Eigen::SparseMatrix<double, Eigen::RowMajor> assemble(const Triplets &triplets,
-                                                            const Trace &columns) const
+      PartRows assemble(const Triplets &triplets, const Trace &columns) const
       {
-        Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(result_.weights.size(),
-                                                            static_cast<Index>(2 * columns.n_nodes()));
+        PartRows matrix(result_.weights.size(), static_cast<Index>(2 * columns.n_nodes()));
         matrix.setFromTriplets(triplets.begin(), triplets.end());
         return matrix;
       }
@@ -84,7 +90,7 @@ namespace abut
       const CommonNormal &normal_;
       const GapFunction &gap_;
       const GaussRule rule_;
-      Triplets of_cut_, of_other_;
+      ByDirection of_cut_, of_other_;
       Coupling result_;
     };
   } // namespace

@@ -39,7 +39,8 @@ namespace
   {
     const Coupling coupling = TestSurface(cut, other).couple();
     const Eigen::VectorXd p = random_pressures(coupling.weights.size());
-    const Eigen::VectorXd on_cut = coupling.cut.transpose() * p, on_other = coupling.other.transpose() * p;
+    const Eigen::VectorXd on_cut = coupling.cut[normal_direction].transpose() * p,
+                          on_other = coupling.other[normal_direction].transpose() * p;
     EXPECT_GT(on_cut.norm(), .01);
     EXPECT_LT((resultant(on_cut) + resultant(on_other)).norm(), 1e-13);
     if (with_moments)
@@ -145,8 +146,8 @@ TEST(TraceCoupling, RigidAndLinearDisplacementsChangeTheGapAsTheyShould)
         u[static_cast<Index>(2 * i + 1)] = at_zero + slope * trace.node_points()[i].x();
       return u;
     };
-    const Eigen::VectorXd change =
-        coupling.cut * displacement(cut, .5, -2.) + coupling.other * displacement(other, .1, 3.);
+    const Eigen::VectorXd change = coupling.cut[normal_direction] * displacement(cut, .5, -2.) +
+                                   coupling.other[normal_direction] * displacement(other, .1, 3.);
     for (Index i = 0; i < change.size(); ++i)
       EXPECT_NEAR(change[i] / coupling.weights[i],
                   -.4 + 5. * surface.parts()[static_cast<std::size_t>(i)].middle.x(), 1e-12);

@@ -32,6 +32,7 @@ namespace abut
    *     gap_k + (N_s u_s + N_m u_m)_k,
    *
    * positive where the bodies are apart; the weight of its share is D_k, the load of the pressure D_k p_k.
+   * Along the tangent N_s u_s + N_m u_m is how far the bodies slide: D_k times the tangential gap.
    */
   class ContactPair
   {
@@ -48,14 +49,14 @@ namespace abut
     /// The side on which the parts lie, and the other.
     const ContactBody &cut_side() const { return slave_is_cut_ ? slave_ : master_; }
     const ContactBody &other_side() const { return slave_is_cut_ ? master_ : slave_; }
-    /// N of either side, parts x trace components.
-    const Eigen::SparseMatrix<double, Eigen::RowMajor> &slave_coupling() const
+    /// N of either side along a direction, parts x trace components.
+    const PartRows &slave_coupling(const std::size_t direction = normal_direction) const
     {
-      return slave_is_cut_ ? coupling_.cut : coupling_.other;
+      return (slave_is_cut_ ? coupling_.cut : coupling_.other)[direction];
     }
-    const Eigen::SparseMatrix<double, Eigen::RowMajor> &master_coupling() const
+    const PartRows &master_coupling(const std::size_t direction = normal_direction) const
     {
-      return slave_is_cut_ ? coupling_.other : coupling_.cut;
+      return (slave_is_cut_ ? coupling_.other : coupling_.cut)[direction];
     }
     const Eigen::VectorXd &weights() const { return coupling_.weights; }
     /// int psi_k g with the initial gap g.

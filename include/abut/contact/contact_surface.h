@@ -18,9 +18,7 @@ namespace abut
   /**
    * Pairs that meet as one surface, cut into parts with one multiplier each. The mean gap of part k under
    * trace displacements u is g_k = sum over pairs of (gap_k + (N_s u_s + N_m u_m)_k) / D_k, D_k its length;
-   * the load of its pressure is D_k p_k. Exact contact (theta = 0): p_k >= 0, g_k >= 0, p_k g_k = 0. With a
-   * penalty p_k = max(0, -g_k) / theta, the gradient of (1 / 2 theta) sum_k D_k (g_k^-)^2, the discrete
-   * penalty of (15)-(16).
+   * the load of its pressure is D_k p_k. What the gap makes of the pressure says the ContactLaw.
    */
   class ContactSurface
   {
@@ -36,7 +34,7 @@ namespace abut
 
     const std::vector<ContactPair> &pairs() const { return pairs_; }
     const Partition &partition() const { return *partition_; }
-    Eigen::Index n_multipliers() const { return static_cast<Eigen::Index>(partition_->parts().size()); }
+    Eigen::Index n_parts() const { return static_cast<Eigen::Index>(partition_->parts().size()); }
     /// The cut sides, in the order of Part::side.
     const std::vector<const Trace *> &cut_sides() const { return cut_sides_; }
     /// Position of the cut side that a piece lies on.

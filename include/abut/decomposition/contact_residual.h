@@ -36,7 +36,7 @@ namespace abut
 
   private:
     /// t.
-    Eigen::VectorXd residual(const Eigen::VectorXd &pressures, const Eigen::VectorXd &gaps,
+    Eigen::VectorXd residual(const Eigen::VectorXd &pressures, const Eigen::VectorXd &response,
                              const Eigen::VectorXd &beta) const;
     double relative(const Eigen::VectorXd &residual, const InterfaceProblem::Loads &loads,
                     const Eigen::VectorXd &pressures, const Eigen::VectorXd &pressure_response) const;

@@ -5,19 +5,15 @@
 #include <abut/decomposition/model_compliance.h>
 #include <abut/decomposition/motion_terms.h>
 
-#include <utility>
-
 namespace abut
 {
   /// What the schemes newton and conjugate solve, and what they need for it; made once for a mesh.
   struct ContactSystem
   {
-    /// Problem and compliance must outlive the object. Takes one product with the compliance.
+    /// Problem and compliance must outlive the object. Takes one product with the compliance. Throws
+    /// UserError where the contact law is no linear complementarity problem.
     ContactSystem(const InterfaceProblem &interface_problem, const InterfaceCompliance &interface_compliance,
-                  MotionTerms motion_terms)
-        : problem(interface_problem), compliance(interface_compliance), motions(std::move(motion_terms)),
-          model(problem), residual(problem, compliance)
-    {}
+                  MotionTerms motion_terms);
 
     const InterfaceProblem &problem;
     const InterfaceCompliance &compliance;

@@ -18,7 +18,7 @@ namespace abut
               .solve(loads.response.head(system.problem.n_pressures()), start.pressures, start.motions, {});
       if (result.cycles || result.too_many || !result.balanced)
         return start;
-      return {result.state.pressures.cwiseMax(0.), result.state.motions};
+      return {system.problem.law().project(result.state.pressures), result.state.motions};
     }
   } // namespace
 
@@ -27,12 +27,12 @@ namespace abut
   {
     const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(system.motions.size());
     if (pressures && system.motions.size() == 0)
-      return {pressures->cwiseMax(0.), at_rest};
+      return {system.problem.law().project(*pressures), at_rest};
     const ContactGuess resting{layer_pressures(system.problem, loads, system.problem.penalties()), at_rest};
     const ContactGuess layers = solve_with(*make_layer_operator(system.problem), system, loads, resting);
     ContactGuess guess = solve_with(system.model, system, loads, layers);
     if (pressures)
-      guess.pressures = pressures->cwiseMax(0.);
+      guess.pressures = system.problem.law().project(*pressures);
     return guess;
   }
 } // namespace abut

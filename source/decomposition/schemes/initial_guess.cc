@@ -18,9 +18,9 @@ namespace abut
       Eigen::VectorXd response = loads.response;
       response.head(problem.n_pressures()) +=
           problem.layer_compliances().cwiseProduct(problem.weights()).cwiseProduct(pressures);
-      problem.for_each_pair([&](const ContactPair &pair, const Index offset) {
-        const Index n = pair.weights().size();
-        const Eigen::VectorXd p = pressures.segment(offset, n), ones = Eigen::VectorXd::Ones(n);
+      problem.for_each_pair([&](const ContactPair &pair, const std::size_t surface) {
+        const Eigen::VectorXd p = problem.of_surface(surface, pressures),
+                              ones = Eigen::VectorXd::Ones(p.size());
         const auto recede = [&](const ContactBody &side, const auto &coupling) {
           const Eigen::VectorXd force = coupling.transpose() * p, measure = coupling.transpose() * ones;
           const Index first = problem.normal_displacement_offset(side.body) +
@@ -44,7 +44,7 @@ namespace abut
   Eigen::VectorXd layer_pressures(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
                                   const Eigen::VectorXd &extra)
   {
-    return (-problem.gaps(loads.response).array()).max(0.) / (problem.layer_compliances() + extra).array();
+    return problem.law().penalised(problem.gaps(loads.response), problem.layer_compliances() + extra);
   }
 
   InterfaceState respond_to(const InterfaceCompliance &compliance, const InterfaceProblem::Loads &loads,

@@ -37,7 +37,7 @@ namespace abut
     double least_slave_share(const InterfaceProblem &problem)
     {
       double least = 1.;
-      problem.for_each_pair([&](const ContactPair &pair, Eigen::Index) {
+      problem.for_each_pair([&](const ContactPair &pair, std::size_t) {
         const double slave = pair.slave().young_modulus, master = pair.master().young_modulus;
         least = std::min(least, 1. / (1. + slave / master));
       });
@@ -80,7 +80,8 @@ namespace abut
     {
       const bool finished = !pivots.cycles && !pivots.too_many;
       const Eigen::VectorXd response =
-          finished ? pivots.state.response : system.compliance.apply(pivots.state.pressures.cwiseMax(0.));
+          finished ? pivots.state.response
+                   : system.compliance.apply(system.problem.law().project(pivots.state.pressures));
       return contact_result(system, loads, pivots.state.pressures, pivots.state.motions, response, tolerance);
     }
   } // namespace
@@ -91,7 +92,7 @@ namespace abut
   {
     const InterfaceProblem &problem = system.problem;
     SchemeResult result;
-    result.traction = pressures.cwiseMax(0.);
+    result.traction = problem.law().project(pressures);
     result.motions = system.motions.amplitudes(amplitudes);
     result.response = loads.response + pressure_response + system.motions.all.responses * result.motions;
     result.iterate = result.response;

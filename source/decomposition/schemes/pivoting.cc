@@ -171,9 +171,7 @@ namespace abut
   PivotResult ActiveSetMethod::solve(const Eigen::VectorXd &gaps, const Eigen::VectorXd &pressures,
                                      const Eigen::VectorXd &motions, const Observer &observer) const
   {
-    std::vector<bool> active(static_cast<std::size_t>(gaps.size()));
-    for (Index i = 0; i < gaps.size(); ++i)
-      active[static_cast<std::size_t>(i)] = pressures[i] > 0.;
+    std::vector<bool> active = problem_.law().active(pressures);
     Eigen::VectorXd softness = first_softness * motions_.layer_stiffness, before = motions;
     PivotResult result;
     BlockPivoting pivoting;
@@ -213,7 +211,7 @@ namespace abut
       if (result.too_many)
         return result;
       if (!descent && pivoting.is_progress(wrong.size()))
-        feasible = result.state.pressures.cwiseMax(0.);
+        feasible = problem_.law().project(result.state.pressures);
       if (descent)
         result.cycles = !descent->advance(result.state.pressures, wrong, active);
       else if (!pivoting.flip(wrong, active))
