@@ -2,6 +2,7 @@
 #include <abut/base/directions.h>
 #include <abut/base/user_error.h>
 #include <abut/bem/boundary_problem.h>
+#include <abut/trace/plane_geometry.h>
 
 #include <Eigen/SVD>
 
@@ -16,11 +17,6 @@ namespace abut
   {
     using Index = Eigen::Index;
     using Directions = std::vector<Vector2>;
-
-    double cross(const Vector2 &a, const Vector2 &b)
-    {
-      return a.x() * b.y() - a.y() * b.x();
-    }
 
     /// Adds what a further element supports at a node: the mean of directions that differ by less than an
     /// angle, of which the sine is given, both axes where they differ by more.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/common_normal.h>
+#include <abut/trace/plane_geometry.h>
 
 #include <boost/math/tools/roots.hpp>
 
@@ -12,11 +13,6 @@ namespace abut
   namespace
   {
     constexpr double smallest_cosine = .2; // between the common normal and either side's
-
-    double cross(const Vector2 &a, const Vector2 &b)
-    {
-      return a.x() * b.y() - a.y() * b.x();
-    }
 
     double shortest_segment(const Trace &side)
     {

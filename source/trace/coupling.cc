@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/coupling.h>
+#include <abut/trace/displacement_entries.h>
 
 #include <algorithm>
 
@@ -72,11 +73,7 @@ namespace abut
       {
         const std::array<Vector2, n_directions> directions = {{normal, Vector2(-normal.y(), normal.x())}};
         for (std::size_t d = 0; d < n_directions; ++d)
-          for (std::size_t j = 0; j < segment.nodes.size(); ++j)
-            for (int component = 0; component < 2; ++component)
-              triplets[d].emplace_back(static_cast<int>(part),
-                                       static_cast<int>(2 * segment.nodes[j]) + component,
-                                       weight * values[static_cast<Index>(j)] * directions[d][component]);
+          add_displacement(static_cast<Index>(part), weight, segment, values, directions[d], triplets[d]);
       }
 
       PartRows assemble(const Triplets &triplets, const Trace &columns) const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/carrier.h>
+#include <abut/trace/displacement_entries.h>
 #include <abut/trace/gap_samples.h>
 
 #include <algorithm>
@@ -10,17 +11,6 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-
-    /// Entries of one row: factor times the displacement along the normal at a point of a segment.
-    void add_sample(const Index row, const double factor, const Segment &segment,
-                    const Eigen::VectorXd &values, const Vector2 &normal,
-                    std::vector<Eigen::Triplet<double>> &triplets)
-    {
-      for (std::size_t j = 0; j < segment.nodes.size(); ++j)
-        for (int component = 0; component < 2; ++component)
-          triplets.emplace_back(static_cast<int>(row), static_cast<int>(2 * segment.nodes[j]) + component,
-                                factor * values[static_cast<Index>(j)] * normal[component]);
-    }
   } // namespace
 
   double smallest_value(const Eigen::VectorXd &samples)
@@ -60,8 +50,9 @@ namespace abut
                       &opposite_segment = other.segments()[piece.other_segment];
         const double s = piece.start + (piece.end - piece.start) * double(k) / double(per_piece - 1);
         const Opposite opposite = normals[link].project(piece.cut_segment, s, piece.other_segment);
-        add_sample(row, -1., segment, cut.basis().values(s), opposite.normal, of_cut);
-        add_sample(row, 1., opposite_segment, other.basis().values(opposite.t), opposite.normal, of_other);
+        add_displacement(row, -1., segment, cut.basis().values(s), opposite.normal, of_cut);
+        add_displacement(row, 1., opposite_segment, other.basis().values(opposite.t), opposite.normal,
+                         of_other);
         samples.places.push_back(cut.point(segment, s));
         samples.gap[row] = gap(samples.places.back(), opposite);
         samples.held.push_back(cut.is_held(segment, s, opposite.normal) &&

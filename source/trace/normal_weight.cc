@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/normal_weight.h>
+#include <abut/trace/plane_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,9 @@ namespace abut
     constexpr double far_away = 1e6;   // lengths of the side, where it has no corner
     constexpr double very_near = 1e-3; // of a segment
 
-    double turning(const Vector2 &from, const Vector2 &to)
+    double noticed_turning(const Vector2 &from, const Vector2 &to)
     {
-      const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+      const double angle = turning(from, to);
       return std::abs(angle) < straight ? 0. : angle;
     }
   } // namespace
@@ -33,7 +34,7 @@ namespace abut
     std::vector<double> turnings;
     for (const Segment &segment : segments)
     {
-      turnings.push_back(turning(segment.end_normals[0], segment.end_normals[1]));
+      turnings.push_back(noticed_turning(segment.end_normals[0], segment.end_normals[1]));
       curvatures_[turnings.size() - 1].fill(turnings.back() / segment.length);
     }
     for (std::size_t i = 0; i < segments.size(); ++i)
@@ -61,7 +62,7 @@ namespace abut
       if (!side_.preceding(i) && !side_.is_plane_of_symmetry(segments[i], 0))
         mark(i, 0);
       if (next && !side_.is_smooth_after(i) &&
-          turning(segments[i].end_normals[1], segments[*next].end_normals[0]) > 0.)
+          noticed_turning(segments[i].end_normals[1], segments[*next].end_normals[0]) > 0.)
       {
         mark(i, 1);
         mark(*next, 0);

@@ -11,16 +11,19 @@ namespace abut
 {
   namespace
   {
+    const Stretch &stretch_of(const std::vector<Stretch> &stretches, const std::size_t part)
+    {
+      return *std::find_if(stretches.begin(), stretches.end(),
+                           [&](const Stretch &stretch) { return part < stretch.last; });
+    }
+
     /// The polyline through values at the places of one stretch.
     class PlacePolyline
     {
     public:
       PlacePolyline(const Partition &partition, const Eigen::VectorXd &values, const std::size_t part)
-          : partition_(partition), values_(values)
-      {
-        stretch_ = *std::find_if(partition.stretches().begin(), partition.stretches().end(),
-                                 [&](const Stretch &stretch) { return part < stretch.last; });
-      }
+          : partition_(partition), values_(values), stretch_(stretch_of(partition.stretches(), part))
+      {}
 
       /// The value at `arc`, which lies between the places of the neighbours of `part`.
       double at(const std::size_t part, const double arc) const
@@ -54,7 +57,7 @@ namespace abut
 
       const Partition &partition_;
       const Eigen::VectorXd &values_;
-      Stretch stretch_;
+      const Stretch &stretch_;
     };
   } // namespace
 
@@ -81,8 +84,7 @@ namespace abut
         shares.emplace_back(static_cast<int>(part), static_cast<int>(neighbour), share);
         own -= share;
       };
-      const Stretch &stretch = *std::find_if(partition.stretches().begin(), partition.stretches().end(),
-                                             [&](const Stretch &s) { return part < s.last; });
+      const Stretch &stretch = stretch_of(partition.stretches(), part);
       const auto place = [&](const std::size_t k) {
         const Part &at = partition.parts()[k];
         const bool alone = stretch.last - stretch.first == 1;
@@ -100,70 +102,110 @@ namespace abut
         add(stretch.first, place(part), place(stretch.first) + stretch.length, here.end);
       shares.emplace_back(static_cast<int>(part), static_cast<int>(part), own);
     }
+
+    /// What the nodes of the carrying side, each with the part that it lies in, get from the parts.
+    class NodeShares
+    {
+    public:
+      NodeShares(const Surface &surface, const std::vector<CommonNormal> &normals, const Partition &partition)
+          : surface_(surface), normals_(normals), partition_(partition),
+            integrals_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(partition.parts().size()))),
+            moments_(integrals_)
+      {
+        for (std::size_t i = 0; i < partition.stretches().size(); ++i)
+          stretches_.resize(partition.stretches()[i].last, i);
+        for (const CarrierNode &node : carrier_nodes(surface, normals, partition.pieces(), stretches_))
+          part_of_[{node.is_other, node.side, node.node}] = node.part;
+        for (const Piece &piece : partition.pieces())
+          add(piece);
+        for (Eigen::Index k = 0; k < integrals_.size(); ++k)
+          if (integrals_[k] == 0.) // a part without a node
+          {
+            add_polyline_mean(partition, static_cast<std::size_t>(k), shares_);
+            integrals_[k] = 1.;
+          }
+      }
+
+      /// From loads to reported pressures.
+      Eigen::SparseMatrix<double, Eigen::RowMajor> matrix() const
+      {
+        Eigen::SparseMatrix<double, Eigen::RowMajor> result(integrals_.size(), integrals_.size());
+        result.setFromTriplets(shares_.begin(), shares_.end());
+        return integrals_.cwiseInverse().asDiagonal() * result;
+      }
+      /// Along the surface.
+      Eigen::VectorXd centroids() const
+      {
+        Eigen::VectorXd result(integrals_.size());
+        for (Eigen::Index k = 0; k < result.size(); ++k)
+          result[k] = moments_[k] / integrals_[k] + middle(static_cast<std::size_t>(k));
+        return result;
+      }
+
+    private:
+      void add(const Piece &piece)
+      {
+        const CarrierSegment carrier = carrier_segment(surface_, piece);
+        const Trace &cut = *surface_.cut[surface_.links[piece.link].cut].trace;
+        const Segment &segment = cut.segments()[piece.cut_segment];
+        const GaussRule rule(carrier.trace->basis().degree() + 2);
+        for (Eigen::Index q = 0; q < rule.points.size(); ++q)
+        {
+          const double s = piece.start + (piece.end - piece.start) * rule.points[q];
+          const double weight = rule.weights[q] * (piece.end - piece.start) * cut.tangent(segment, s).norm();
+          const double place = carrier.is_other
+                                   ? normals_[piece.link].project(piece.cut_segment, s, piece.other_segment).t
+                                   : s;
+          add(carrier, piece.part, piece.arc + (s - piece.start) * segment.length,
+              weight * carrier.trace->basis().values(place));
+        }
+      }
+      /// What the nodes of a segment get at a place of the surface within a part.
+      void add(const CarrierSegment &carrier, const std::size_t part, const double arc,
+               const Eigen::VectorXd &weights)
+      {
+        const Segment &segment = carrier.trace->segments()[carrier.segment];
+        for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+        {
+          const auto own = part_of_.find({carrier.is_other, carrier.side, segment.nodes[i]});
+          if (own == part_of_.end() || stretches_[own->second] != stretches_[part])
+            continue;
+          const double share = weights[static_cast<Eigen::Index>(i)];
+          const auto row = static_cast<Eigen::Index>(own->second);
+          shares_.emplace_back(static_cast<int>(row), static_cast<int>(part), share);
+          integrals_[row] += share;
+          moments_[row] += share * distance(own->second, part, arc);
+        }
+      }
+
+      double middle(const std::size_t part) const
+      {
+        return .5 * (partition_.parts()[part].start + partition_.parts()[part].end);
+      }
+      /// From the middle of a part to a place within another one of its stretch, the short way round.
+      double distance(const std::size_t part, const std::size_t other, const double arc) const
+      {
+        const Stretch &stretch = stretch_of(partition_.stretches(), other);
+        const double ahead = arc - middle(part);
+        return stretch.closed ? std::remainder(ahead, stretch.length) : ahead;
+      }
+
+      const Surface &surface_;
+      const std::vector<CommonNormal> &normals_;
+      const Partition &partition_;
+      std::vector<std::size_t> stretches_; ///< of every part
+      std::map<std::tuple<bool, std::size_t, unsigned int>, std::size_t> part_of_;
+      std::vector<Eigen::Triplet<double>> shares_;
+      Eigen::VectorXd integrals_, moments_; ///< moments about the parts' middles
+    };
   } // namespace
 
   Eigen::VectorXd Partition::find_node_shares(const Surface &surface,
                                               const std::vector<CommonNormal> &normals)
   {
-    const auto middle = [&](const std::size_t k) { return .5 * (parts_[k].start + parts_[k].end); };
-    // From the middle of part k to a place within another part of its stretch, the short way round.
-    const auto distance = [&](const std::size_t k, const std::size_t other, const double arc) {
-      const double ahead = arc - middle(k);
-      const auto stretch = std::find_if(stretches_.begin(), stretches_.end(),
-                                        [&](const Stretch &s) { return other < s.last; });
-      return stretch->closed ? std::remainder(ahead, stretch->length) : ahead;
-    };
-    std::vector<std::size_t> stretches;
-    for (std::size_t i = 0; i < stretches_.size(); ++i)
-      stretches.resize(stretches_[i].last, i);
-    std::map<std::tuple<bool, std::size_t, unsigned int>, std::size_t> part_of;
-    for (const CarrierNode &node : carrier_nodes(surface, normals, pieces_, stretches))
-      part_of[{node.is_other, node.side, node.node}] = node.part;
-
-    const auto n = static_cast<Eigen::Index>(parts_.size());
-    Eigen::VectorXd integrals = Eigen::VectorXd::Zero(n), moments = integrals; // about the parts' middles
-    std::vector<Eigen::Triplet<double>> shares;
-    for (const Piece &piece : pieces_)
-    {
-      const CarrierSegment carrier = carrier_segment(surface, piece);
-      const Segment &segment = carrier.trace->segments()[carrier.segment];
-      const Trace &cut = *surface.cut[surface.links[piece.link].cut].trace;
-      const GaussRule rule(carrier.trace->basis().degree() + 2);
-      for (Eigen::Index q = 0; q < rule.points.size(); ++q)
-      {
-        const double s = piece.start + (piece.end - piece.start) * rule.points[q];
-        const double weight = rule.weights[q] * (piece.end - piece.start) *
-                              cut.tangent(cut.segments()[piece.cut_segment], s).norm();
-        const double place =
-            carrier.is_other ? normals[piece.link].project(piece.cut_segment, s, piece.other_segment).t : s;
-        const Eigen::VectorXd values = carrier.trace->basis().values(place);
-        for (std::size_t i = 0; i < segment.nodes.size(); ++i)
-        {
-          const auto part = part_of.find({carrier.is_other, carrier.side, segment.nodes[i]});
-          if (part == part_of.end() || stretches[part->second] != stretches[piece.part])
-            continue;
-          const double share = weight * values[static_cast<Eigen::Index>(i)];
-          const auto row = static_cast<Eigen::Index>(part->second);
-          shares.emplace_back(static_cast<int>(row), static_cast<int>(piece.part), share);
-          integrals[row] += share;
-          moments[row] +=
-              share * distance(part->second, piece.part,
-                               piece.arc + (s - piece.start) * cut.segments()[piece.cut_segment].length);
-        }
-      }
-    }
-    for (Eigen::Index k = 0; k < n; ++k)
-      if (integrals[k] == 0.) // a part without a node
-      {
-        add_polyline_mean(*this, static_cast<std::size_t>(k), shares);
-        integrals[k] = 1.;
-      }
-    node_shares_.resize(n, n);
-    node_shares_.setFromTriplets(shares.begin(), shares.end());
-    node_shares_ = integrals.cwiseInverse().asDiagonal() * node_shares_;
-    for (Eigen::Index k = 0; k < n; ++k)
-      moments[k] = moments[k] / integrals[k] + middle(static_cast<std::size_t>(k));
-    return moments;
+    const NodeShares shares(surface, normals, *this);
+    node_shares_ = shares.matrix();
+    return shares.centroids();
   }
 
   Eigen::VectorXd Partition::reported_pressures(const Eigen::VectorXd &loads) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/trace/plane_geometry.h>
 #include <abut/trace/trace.h>
 
 #include <Eigen/Geometry>
@@ -9,11 +10,6 @@ namespace abut
 {
   namespace
   {
-    Vector2 outward(const Vector2 &tangent)
-    {
-      return Vector2(tangent.y(), -tangent.x()).normalized();
-    }
-
     Vector2 combine(const Eigen::VectorXd &coefficients, const std::vector<Vector2> &points)
     {
       Vector2 sum = Vector2::Zero();
@@ -107,7 +103,7 @@ namespace abut
       for (Eigen::Index q = 0; q < rule.points.size(); ++q)
         segment.length += rule.weights[q] * tangent(segment, rule.points[q]).norm();
       length_ += segment.length;
-      segment.end_normals = {{outward(tangent(segment, 0.)), outward(tangent(segment, 1.))}};
+      segment.end_normals = {{outward_normal(tangent(segment, 0.)), outward_normal(tangent(segment, 1.))}};
     }
   }
 
@@ -144,7 +140,7 @@ namespace abut
         const unsigned int node = segment->nodes[i];
         node_points_[node] = point(*segment, s);
         const bool is_end = i == 0 || i + 1 == segment->nodes.size();
-        node_normals_[node] += is_end ? averaged_normal(*segment, s) : outward(tangent(*segment, s));
+        node_normals_[node] += is_end ? averaged_normal(*segment, s) : outward_normal(tangent(*segment, s));
         node_arc_lengths_[node] = segment->arc_start + s * segment->length;
       }
     for (Vector2 &normal : node_normals_)

@@ -17,7 +17,7 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    Vector2 outward_normal(const BoundaryElement &element)
+    Vector2 element_normal(const BoundaryElement &element)
     {
       return Vector2(element.direction.imag(), -element.direction.real());
     }
@@ -57,7 +57,7 @@ namespace abut
       first_element_.push_back(supported_.size());
       for (std::size_t k = 0; k < side.segments().size(); ++k)
         supported_.push_back(
-            conditions.supported(boundaries[i], outward_normal(space.elements()[supported_.size()])));
+            conditions.supported(boundaries[i], element_normal(space.elements()[supported_.size()])));
       add_prescribed(conditions, side, boundaries[i], first_element_[i]);
     }
     for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
@@ -102,7 +102,7 @@ namespace abut
     uniform_support_ = Eigen::VectorXd::Zero(2 * n);
     const auto traction = [&](const std::size_t element, const double eta) {
       const Stress s = uniform_.stress(space_.elements()[element].point(eta));
-      const Vector2 normal = outward_normal(space_.elements()[element]);
+      const Vector2 normal = element_normal(space_.elements()[element]);
       return Vector2(s.xx * normal.x(), s.yy * normal.y());
     };
     const auto add = [&](const std::size_t element, const Vector2 &at_start, const Vector2 &at_end,

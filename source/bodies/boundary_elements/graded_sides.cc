@@ -2,6 +2,7 @@
 #include <abut/base/directions.h>
 #include <abut/bodies/boundary_elements/graded_sides.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
+#include <abut/trace/plane_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace abut
 
     Vector2 chord_normal(const Segment &segment)
     {
-      return Vector2(chord(segment).y(), -chord(segment).x()).normalized();
+      return outward_normal(chord(segment));
     }
 
     bool is_straight(const Segment &segment)
@@ -33,16 +34,14 @@ namespace abut
     /// By how much the boundary turns to the left from one edge to the next, between -pi and pi.
     double turn(const Segment &before, const Segment &after)
     {
-      const Vector2 a = chord(before), b = chord(after);
-      return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      return turning(chord(before), chord(after));
     }
 
     /// Whether single supported directions differ, where the boundary goes straight on.
     bool supports_turn(const std::vector<Vector2> &before, const std::vector<Vector2> &after)
     {
       constexpr double sine = .5; // normals of neighbouring edges differ by less
-      return before.size() == 1 && after.size() == 1 &&
-             std::abs(before[0].x() * after[0].y() - before[0].y() * after[0].x()) > sine;
+      return before.size() == 1 && after.size() == 1 && std::abs(cross(before[0], after[0])) > sine;
     }
 
     /// Halvings of an edge that leave no piece shorter than `shortest`.

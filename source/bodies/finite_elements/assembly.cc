@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
+#include <abut/trace/plane_geometry.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
@@ -145,7 +146,7 @@ namespace abut
     {
       const double s = rule.points[q];
       const Vector2 tangent = side.tangent(segment, s);
-      const Vector2 normal = Vector2(tangent.y(), -tangent.x()).normalized();
+      const Vector2 normal = outward_normal(tangent);
       moments += rule.weights[q] * tangent.norm() * side.basis().values(s) *
                  traction(side.point(segment, s), normal).transpose();
     }

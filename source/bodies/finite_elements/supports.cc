@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/supports.h>
+#include <abut/trace/plane_geometry.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -18,11 +19,6 @@ namespace abut
     constexpr double agreement = 1e-6;   // of the largest value, for conditions that say the same twice
     constexpr double free_motion = 1e-8; // of the largest eigenvalue; normals of coarse arcs are off by 1e-4
 
-    double cross(const PrescribedComponent &a, const PrescribedComponent &b)
-    {
-      return a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x();
-    }
-
     /// The conditions at one node that determine the others.
     std::vector<const PrescribedComponent *>
     independent(const std::vector<const PrescribedComponent *> &components)
@@ -30,9 +26,10 @@ namespace abut
       const auto &first = *components.front();
       const auto second =
           std::max_element(components.begin(), components.end(), [&](const auto *a, const auto *b) {
-            return std::abs(cross(first, *a)) < std::abs(cross(first, *b));
+            return std::abs(cross(first.direction, a->direction)) <
+                   std::abs(cross(first.direction, b->direction));
           });
-      if (std::abs(cross(first, **second)) < parallel)
+      if (std::abs(cross(first.direction, (*second)->direction)) < parallel)
         return {&first};
       return {&first, *second};
     }
