@@ -4,6 +4,8 @@
 #include <abut/bem/boundary_problem.h>
 #include <abut/trace/plane_geometry.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -65,6 +67,14 @@ namespace abut
       return matrix;
     }
 
+    /// To the accuracy of the integrals, an estimator's included.
+    [[maybe_unused]] bool is_symmetric(const Eigen::MatrixXd &matrix)
+    {
+      constexpr double tolerance = 1e-2;
+      return matrix.size() == 0 || !matrix.allFinite() ||
+             (matrix - matrix.transpose()).cwiseAbs().maxCoeff() <= tolerance * matrix.cwiseAbs().maxCoeff();
+    }
+
     Eigen::LLT<Eigen::MatrixXd> cholesky(Eigen::MatrixXd &matrix, Eigen::VectorXd &scale,
                                          const std::string &name)
     {
@@ -83,6 +93,7 @@ namespace abut
   std::vector<Directions> supported_at_nodes(const BoundarySpace &space,
                                              const std::vector<Directions> &supported)
   {
+    AssertDimension(supported.size(), space.elements().size());
     constexpr double curve = .707, parallel = 1e-6; // sines
     std::vector<Directions> at_node(static_cast<std::size_t>(space.n_nodes()));
     for (std::size_t i = 0; i < supported.size(); ++i)
@@ -106,6 +117,9 @@ namespace abut
       : space_(space),
         operators_(kernel_matrices(space.elements(), space.density_degree(), rule), poisson_ratio)
   {
+    AssertDimension(supported.size(), space.elements().size());
+    Assert(traction_degree <= space.density_degree(),
+           dealii::ExcMessage("tractions are Legendre polynomials of the space"));
     choose_unknowns(supported, traction_degree);
     find_rigid_motions();
     factorise();
@@ -186,6 +200,8 @@ namespace abut
     Eigen::MatrixXd single = operators_.single_layer(tractions_, tractions_);
     mixed_ = operators_.double_layer(tractions_, free_);
     Eigen::MatrixXd schur = operators_.hypersingular(free_, free_);
+    Assert(is_symmetric(single) && is_symmetric(schur),
+           dealii::ExcMessage("Galerkin: V and W are symmetric"));
     for (const Eigen::MatrixXd *const motions : {&rigid_, &hole_motions_})
       if (motions->cols() > 0)
       {
@@ -242,6 +258,8 @@ namespace abut
 
   BoundaryState BoundaryProblem::solve(const BoundaryState &known) const
   {
+    AssertDimension(known.traction.size(), 2 * space_.n_coefficients());
+    AssertDimension(known.displacement.size(), 2 * space_.n_nodes());
     check_balance(known);
     // What is given: t_N, and u_D as the part of the displacement along supported directions.
     const Eigen::VectorXd given =

@@ -3,6 +3,7 @@
 #include <abut/bem/boundary_space.h>
 #include <abut/bem/legendre_moments.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
@@ -117,6 +118,7 @@ namespace abut
     }
     centre_ = Complex(.5 * (low.x() + high.x()), .5 * (low.y() + high.y()));
     unit_length_ = (high - low).norm();
+    Assert(unit_length_ > 0., dealii::ExcMessage("a boundary has an extent"));
     for (const auto &end : ends)
       elements_.emplace_back(scaled(end[0]), scaled(end[1]));
   }
@@ -202,12 +204,14 @@ namespace abut
 
   bool BoundarySpace::is_corner(const std::size_t element) const
   {
+    AssertIndexRange(element, elements_.size());
     constexpr double cosine = .866; // of 30 degrees
     return (elements_[next_[element]].direction * std::conj(elements_[element].direction)).real() < cosine;
   }
 
   Eigen::VectorXd BoundarySpace::trace_of(const Eigen::VectorXd &field) const
   {
+    Assert(field.size() >= trace_.cols(), dealii::ExcMessage("a field has all unknowns of the boundary"));
     return trace_ * field.head(trace_.cols()) / unit_length_;
   }
 } // namespace abut

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bem/far_pairs.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   FarPairs::FarPairs(const GalerkinRule &rule, const unsigned int degree) : degree_(degree)
   {
+    Assert(degree <= max_density_degree, dealii::ExcMessage("no such polynomials"));
     for (const GalerkinRule::FarPoints &far : rule.far)
     {
       distances_.push_back(far.distance);
@@ -51,6 +54,8 @@ namespace abut
   void FarPairs::integrate(const BoundaryElement &first, const Partners &seconds,
                            const std::size_t first_tier, const std::size_t second_tier)
   {
+    AssertIndexRange(first_tier, n_tiers());
+    AssertIndexRange(second_tier, n_tiers());
     const LegendreRule &outer = rules_[first_tier], &inner = rules_[second_tier];
     const unsigned int size = degree_ + 1;
     const Complex half = .5 * (first.end - first.start);
@@ -83,6 +88,8 @@ namespace abut
 
   void FarPairs::copy(const std::size_t lane, PairIntegrals &integrals) const
   {
+    AssertIndexRange(lane, n_lanes);
+    AssertDimension(integrals.log.rows(), static_cast<Eigen::Index>(degree_ + 1));
     const auto l = static_cast<Eigen::Index>(lane);
     const double scale = scale_[l], by_two_pi = scale / (2. * M_PI);
     for (unsigned int j = 0; j <= degree_; ++j)

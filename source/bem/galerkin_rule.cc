@@ -3,6 +3,8 @@
 #include <abut/bem/legendre_moments.h>
 #include <abut/trace/lagrange_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   GalerkinRule GalerkinRule::precise()
@@ -17,6 +19,7 @@ namespace abut
 
   LegendreRule::LegendreRule(const unsigned int n_points, const unsigned int degree)
   {
+    Assert(degree <= max_density_degree, dealii::ExcMessage("no such polynomials"));
     const GaussRule gauss(n_points);
     points = 2. * gauss.points.array() - 1.;
     weighted.resize(n_points, degree + 1);

@@ -2,6 +2,8 @@
 #include <abut/base/executor.h>
 #include <abut/bem/interior_stress.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,6 +61,7 @@ namespace abut
       : n_elements_(elements.size()), poisson_ratio_(poisson_ratio),
         rules_(stress_degree(elements.size(), values))
   {
+    Assert(shear_modulus > 0., dealii::ExcMessage("a body has a stiffness"));
     const std::vector<StressDensity> densities = stress_densities(values, shear_modulus, poisson_ratio);
     for (std::size_t first = 0; first < n_elements_; first += StressGroup::max_size)
     {
@@ -100,6 +103,7 @@ namespace abut
   Stress boundary_stress(const Complex traction, const Complex slope, const Complex direction,
                          const double shear_modulus, const double poisson_ratio)
   {
+    Assert(std::abs(std::abs(direction) - 1.) < 1e-8, dealii::ExcMessage("directions have unit length"));
     const Complex normal(direction.imag(), -direction.real());
     const Complex in_frame = traction * std::conj(normal); // s_nn + i s_nt
     const double s_nn = in_frame.real(), s_nt = in_frame.imag();

@@ -4,6 +4,8 @@
 #include <abut/bem/large_matrix.h>
 #include <abut/bem/near_pairs.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -130,6 +132,8 @@ namespace abut
 
   void KernelMatrices::set(const std::size_t first, const std::size_t second, const PairIntegrals &integrals)
   {
+    AssertIndexRange(static_cast<Eigen::Index>(first), lengths.size());
+    AssertIndexRange(static_cast<Eigen::Index>(second), lengths.size());
     const Eigen::Index size = degree + 1, row = static_cast<Eigen::Index>(first) * size,
                        column = static_cast<Eigen::Index>(second) * size;
     for (Eigen::Index j = 0; j < size; ++j)
@@ -146,6 +150,10 @@ namespace abut
   KernelMatrices kernel_matrices(const std::vector<BoundaryElement> &elements, const unsigned int degree,
                                  const GalerkinRule &rule)
   {
+    Assert(degree <= max_density_degree, dealii::ExcMessage("no such polynomials"));
+    Assert(std::all_of(elements.begin(), elements.end(),
+                       [](const BoundaryElement &element) { return element.length > 0.; }),
+           dealii::ExcMessage("elements have a length"));
     return KernelFiller(elements, degree, rule).fill();
   }
 } // namespace abut

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bem/large_matrix.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cstdint>
 #include <sys/mman.h>
 
@@ -8,6 +10,7 @@ namespace abut
 {
   Eigen::MatrixXd large_matrix(const Eigen::Index rows, const Eigen::Index columns)
   {
+    Assert(rows >= 0 && columns >= 0, dealii::ExcMessage("sizes are not negative"));
     constexpr std::uintptr_t page = 4096;
     Eigen::MatrixXd matrix(rows, columns);
     const auto data = reinterpret_cast<std::uintptr_t>(matrix.data());

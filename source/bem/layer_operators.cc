@@ -2,6 +2,8 @@
 #include <abut/bem/large_matrix.h>
 #include <abut/bem/layer_operators.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <utility>
 
 namespace abut
@@ -27,6 +29,8 @@ namespace abut
   LayerOperators::LayerOperators(KernelMatrices kernels, const double poisson_ratio)
       : kernels_(std::move(kernels)), poisson_ratio_(poisson_ratio)
   {
+    Assert(poisson_ratio > -1. && poisson_ratio <= .5, dealii::ExcMessage("a material of plane strain"));
+    AssertDimension(kernels_.log.rows(), kernels_.lengths.size() * (kernels_.degree + 1));
     const double k = 3. - 4. * poisson_ratio, factor = 1. / (4. * M_PI * (1. + k)),
                  laplace = -1. / (2. * M_PI);
     single_ = {-2. * k * factor, factor};
@@ -72,6 +76,8 @@ namespace abut
 
   Eigen::MatrixXd LayerOperators::single_layer(const LegendreBasis &left, const LegendreBasis &right) const
   {
+    AssertDimension(left.rows(), 2 * kernels_.log.rows());
+    AssertDimension(right.rows(), 2 * kernels_.log.rows());
     return tested_potentials(left, right.cols(), [&](const Eigen::Index j, Eigen::VectorXd &potential) {
       add(single_, right, j, potential);
     });
@@ -80,6 +86,9 @@ namespace abut
   Eigen::MatrixXd LayerOperators::double_layer(const LegendreBasis &left,
                                                const DisplacementBasis &right) const
   {
+    AssertDimension(left.rows(), 2 * kernels_.log.rows());
+    AssertDimension(right.values.rows(), 2 * kernels_.log.rows());
+    AssertDimension(right.slopes.cols(), right.values.cols());
     return tested_potentials(
         left, right.values.cols(),
         [&](const Eigen::Index j, Eigen::VectorXd &potential) { add_double_layer(right, j, potential); });
@@ -88,6 +97,8 @@ namespace abut
   Eigen::MatrixXd LayerOperators::hypersingular(const DisplacementBasis &left,
                                                 const DisplacementBasis &right) const
   {
+    AssertDimension(left.slopes.rows(), 2 * kernels_.log.rows());
+    AssertDimension(right.slopes.rows(), 2 * kernels_.log.rows());
     return tested_potentials(left.slopes, right.slopes.cols(),
                              [&](const Eigen::Index j, Eigen::VectorXd &potential) {
                                add(hypersingular_, right.slopes, j, potential);
@@ -96,6 +107,8 @@ namespace abut
 
   LegendreBasis LayerOperators::mass(const LegendreBasis &left, const LegendreBasis &right) const
   {
+    AssertDimension(left.rows(), 2 * kernels_.log.rows());
+    AssertDimension(right.rows(), 2 * kernels_.log.rows());
     const Eigen::Index n = kernels_.log.rows(), size = kernels_.degree + 1;
     Eigen::VectorXd squares(2 * n);
     for (Eigen::Index row = 0; row < 2 * n; ++row)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bem/legendre_moments.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   namespace
@@ -67,6 +69,7 @@ namespace abut
 
   LegendreMoments legendre_moments(const LocalPlace &place, const unsigned int degree)
   {
+    Assert(degree <= max_density_degree, dealii::ExcMessage("no such polynomials"));
     const SecondKind functions(place, degree);
     LegendreMoments moments = functions.cauchy_moments(degree);
     moments.log[0] = (z_log_z(place.from_start) - z_log_z(place.from_end)).real() - 2.;
@@ -77,6 +80,7 @@ namespace abut
 
   LegendreMoments cauchy_moments(const LocalPlace &place, const unsigned int degree)
   {
+    Assert(degree <= max_density_degree, dealii::ExcMessage("no such polynomials"));
     return SecondKind(place, degree).cauchy_moments(degree);
   }
 } // namespace abut

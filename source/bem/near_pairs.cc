@@ -2,6 +2,8 @@
 #include <abut/bem/near_pairs.h>
 #include <abut/trace/lagrange_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -139,6 +141,8 @@ namespace abut
   NearPairs::NearPairs(const GalerkinRule &rule, const unsigned int degree)
       : piece_length_(rule.piece_length), degree_(degree)
   {
+    Assert(degree <= max_density_degree, dealii::ExcMessage("no such polynomials"));
+    Assert(rule.piece_length > 0., dealii::ExcMessage("pieces have a length"));
     const GaussRule plain(GalerkinRule::points(rule.near_points, degree));
     plain_points_ = plain.points;
     plain_weights_ = plain.weights;

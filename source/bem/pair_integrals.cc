@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bem/pair_integrals.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,6 +50,7 @@ namespace abut
 
   bool collinear(const BoundaryElement &a, const BoundaryElement &b, const double round_off)
   {
+    Assert(round_off >= 0., dealii::ExcMessage("a rounding is a length"));
     const BoundaryElement &longer = a.length < b.length ? b : a, &shorter = a.length < b.length ? a : b;
     const Complex start = std::conj(longer.direction) * (shorter.start - longer.start);
     const Complex end = std::conj(longer.direction) * (shorter.end - longer.start);

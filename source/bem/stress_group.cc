@@ -2,6 +2,8 @@
 #include <abut/bem/stress_group.h>
 #include <abut/trace/lagrange_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -99,6 +101,7 @@ namespace abut
   StressRules::StressRules(const unsigned int degree_of_densities)
       : degree(degree_of_densities), closed_distance(closed_distances[degree])
   {
+    Assert(degree_of_densities <= max_density_degree, dealii::ExcMessage("no such polynomials"));
     constexpr double farthest = 1e4; // a rule for still farther points would hardly ever be used
     bool complete = false;
     for (unsigned int n = 1; !complete; ++n)
@@ -138,6 +141,7 @@ namespace abut
                            const unsigned int size, const StressRules &rules)
       : elements_(elements, elements + size), densities_(densities, densities + size)
   {
+    Assert(size >= 1 && size <= max_size, dealii::ExcMessage("a group has a few elements"));
     centre_ = .5 * (elements_.front().start + elements_.back().end);
     double radius = 0., longest = 0.;
     for (const BoundaryElement &element : elements_)

@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/contact/contact_pair.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -34,6 +36,9 @@ namespace abut
         penalty_(description.penalty_between(slave.flexibility(), master.flexibility())),
         gap_from_geometry_(!description.gap)
   {
+    AssertDimension(normals.size(), surface.links.size());
+    AssertIndexRange(link, surface.links.size());
+    Assert(penalty_ >= 0., dealii::ExcMessage("a penalty is no negative length per stress"));
     const GapFunction gap = gap_function(description, slave_placement, slave_is_cut);
     coupling_ = couple(surface, normals, partition, link, gap);
     samples_ = sample_gaps(surface, normals, partition, link, gap);
@@ -67,6 +72,7 @@ namespace abut
                                                          const Eigen::VectorXd &other_displacement) const
   {
     constexpr Index per_piece = GapSamples::per_piece;
+    AssertDimension(static_cast<Index>(near.size()), weights().size());
     const double round_off = 1e-12 * std::min(slave_.depth, master_.depth);
     const Eigen::VectorXd gaps = samples_.gaps(cut_displacement, other_displacement);
     std::vector<MissedContact> missed;
@@ -100,6 +106,8 @@ namespace abut
   Eigen::VectorXd ContactPair::sliding(const Eigen::VectorXd &cut_displacement,
                                        const Eigen::VectorXd &other_displacement) const
   {
+    AssertDimension(cut_displacement.size(), coupling_.cut[tangential_direction].cols());
+    AssertDimension(other_displacement.size(), coupling_.other[tangential_direction].cols());
     const Eigen::VectorXd integrals = coupling_.cut[tangential_direction] * cut_displacement +
                                       coupling_.other[tangential_direction] * other_displacement;
     return (weights().array() > 0.).select(integrals.cwiseQuotient(weights()), 0.);

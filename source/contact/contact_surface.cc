@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/contact/contact_surface.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -157,6 +159,7 @@ namespace abut
 
   ContactSurface::ContactSurface(const std::vector<PairInput> &pairs)
   {
+    Assert(!pairs.empty(), dealii::ExcMessage("a surface has a pair"));
     std::vector<bool> alone;
     Colouring colouring = colour(pairs, alone);
     const bool cut_colour = colouring.find(id_of(pairs.front().slave)).second;
@@ -190,6 +193,7 @@ namespace abut
 
   std::vector<bool> ContactSurface::near_contact(const std::vector<bool> &pressed) const
   {
+    AssertDimension(static_cast<Eigen::Index>(pressed.size()), n_parts());
     std::vector<bool> near = pressed;
     const auto neighbours = partition_->neighbours();
     for (std::size_t k = 0; k < near.size(); ++k)

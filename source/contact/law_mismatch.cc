@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/contact/law_mismatch.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace abut
@@ -35,6 +37,9 @@ namespace abut
   LawMismatch law_mismatch(const ContactPair &pair, const std::vector<bool> &near,
                            const SideVectors &displacement, const SideVectors &traction)
   {
+    AssertDimension(static_cast<Index>(near.size()), pair.weights().size());
+    AssertDimension(traction.cut.size(), pair.samples().cut.cols());
+    AssertDimension(traction.other.size(), pair.samples().other.cols());
     const GapSamples &samples = pair.samples();
     const Eigen::ArrayXd gaps = samples.gaps(displacement.cut, displacement.other);
     const Eigen::ArrayXd of_cut = samples.cut * traction.cut, of_other = samples.other * traction.other;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/contact/pressure_profile.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -8,7 +10,9 @@ namespace abut
 {
   PressureProfile::PressureProfile(const ContactSurface &surface, const Eigen::VectorXd &pressures)
       : intervals_(intervals_of(surface)), pressures_(pressures)
-  {}
+  {
+    AssertDimension(pressures.size(), surface.n_parts());
+  }
 
   std::vector<PressureProfile::Interval> PressureProfile::intervals_of(const ContactSurface &surface)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/compliance.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace abut
@@ -23,6 +25,7 @@ namespace abut
 
       Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override
       {
+        AssertDimension(pressures.size(), problem_.n_pressures());
         const std::size_t n_bodies = problem_.bodies().size();
         std::vector<Eigen::VectorXd> parts(n_bodies);
         for_each_body(n_bodies, [&](const std::size_t a) {
@@ -63,6 +66,15 @@ namespace abut
       return result;
     }
 
+    /// But for what round-off leaves in the solutions of a body's system, which may be hard to solve.
+    [[maybe_unused]] bool is_symmetric(const Eigen::MatrixXd &matrix)
+    {
+      constexpr double tolerance = 1e-4;
+      return matrix.size() == 0 || !matrix.allFinite() ||
+             (matrix - matrix.transpose()).cwiseAbs().maxCoeff() <=
+                 tolerance * matrix.diagonal().cwiseAbs().maxCoeff();
+    }
+
     /// What one body adds to Z.
     ComplianceBlock block_of(const InterfaceProblem &problem, const std::size_t body)
     {
@@ -82,6 +94,7 @@ namespace abut
             problem.response_of(body, problem.bodies()[body]->respond(problem.contact_forces(body, units)));
         block.matrix.middleCols(first, count) = response(block.rows, Eigen::all);
       }
+      Assert(is_symmetric(block.matrix.topRows(n)), dealii::ExcMessage("work is the same both ways"));
       return block;
     }
 
@@ -102,7 +115,8 @@ namespace abut
     {
     public:
       explicit DenseCompliance(const InterfaceProblem &problem)
-          : response_size_(problem.response_size()), blocks_(problem.bodies().size())
+          : n_multipliers_(problem.n_pressures()), response_size_(problem.response_size()),
+            blocks_(problem.bodies().size())
       {
         for_each_body(blocks_.size(), [&](const std::size_t a) { blocks_[a] = block_of(problem, a); });
         if (problem.bodies().size() <= 2)
@@ -111,6 +125,7 @@ namespace abut
 
       Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override
       {
+        AssertDimension(pressures.size(), n_multipliers_);
         if (blocks_.size() == 1)
           return blocks_.front().matrix * pressures;
         Eigen::VectorXd sum = Eigen::VectorXd::Zero(response_size_);
@@ -121,7 +136,7 @@ namespace abut
       const std::vector<ComplianceBlock> &blocks() const override { return blocks_; }
 
     private:
-      Index response_size_;
+      Index n_multipliers_, response_size_;
       std::vector<ComplianceBlock> blocks_;
     };
 

@@ -2,6 +2,8 @@
 #include <abut/decomposition/contact_residual.h>
 #include <abut/decomposition/measures.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,6 +62,8 @@ namespace abut
                                      const Eigen::VectorXd &pressure_response,
                                      const Eigen::VectorXd &response) const
   {
+    AssertDimension(pressures.size(), problem_.n_pressures());
+    AssertDimension(pressure_response.size(), problem_.response_size());
     return relative(residual(pressures, response, Eigen::VectorXd::Zero(pressures.size())), loads, pressures,
                     pressure_response);
   }
@@ -68,6 +72,8 @@ namespace abut
                                     const Eigen::VectorXd &pressure_response,
                                     const Eigen::VectorXd &response) const
   {
+    AssertDimension(pressures.size(), problem_.n_pressures());
+    AssertDimension(pressure_response.size(), problem_.response_size());
     const Eigen::VectorXd left = residual(pressures, response, beta_);
     // Bodies that touch without force: there is nothing to compare round-off with.
     const Index n = pressures.size();

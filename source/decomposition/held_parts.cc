@@ -3,6 +3,8 @@
 #include <abut/decomposition/held_parts.h>
 #include <abut/decomposition/spectrum.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,7 @@ namespace abut
 
   InterfaceProblem::Loads HeldParts::opened(InterfaceProblem::Loads loads) const
   {
+    AssertDimension(loads.response.size(), problem_.response_size());
     for (const Index i : indices_)
     {
       const double weight = problem_.weights()[i], hair = held_share * problem_.weights().sum();

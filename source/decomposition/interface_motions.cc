@@ -3,6 +3,8 @@
 #include <abut/decomposition/interface_motions.h>
 #include <abut/decomposition/schemes/nonnegative_fit.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
@@ -124,11 +126,14 @@ namespace abut
 
   Eigen::VectorXd InterfaceMotions::of_body(const Eigen::VectorXd &amplitudes, const std::size_t body) const
   {
+    AssertDimension(amplitudes.size(), size());
+    AssertIndexRange(body + 1, offsets.size());
     return amplitudes.segment(offsets[body], offsets[body + 1] - offsets[body]);
   }
 
   std::size_t InterfaceMotions::body_of(const Index amplitude) const
   {
+    AssertIndexRange(amplitude, size());
     const auto after = std::upper_bound(offsets.begin(), offsets.end(), amplitude);
     return static_cast<std::size_t>(after - offsets.begin()) - 1;
   }
@@ -153,6 +158,10 @@ namespace abut
       const Index first = motions.offsets[a], size = of_body[a].loads.size();
       if (size == 0)
         continue;
+      AssertDimension(of_body[a].traces.cols(), size);
+      AssertDimension(of_body[a].stiffness.rows(), size);
+      AssertDimension(of_body[a].stiffness.cols(), size);
+      AssertDimension(of_body[a].names.size(), static_cast<std::size_t>(size));
       motions.responses.middleCols(first, size) = problem.response_of(a, of_body[a].traces);
       motions.stiffness.block(first, first, size, size) = of_body[a].stiffness;
       motions.loads.segment(first, size) = of_body[a].loads;
@@ -232,6 +241,9 @@ namespace abut
 
   HeldMotions held_motions(const InterfaceProblem &problem, const InterfaceMotions &motions)
   {
+    AssertDimension(motions.responses.rows(), problem.response_size());
+    AssertDimension(motions.responses.cols(), motions.size());
+    AssertDimension(motions.offsets.size(), problem.bodies().size() + 1);
     if (motions.size() == 0)
       return {};
     const Eigen::VectorXd scales = side_scales(problem, motions);

@@ -54,6 +54,7 @@ namespace abut
     for_each_pair(
         [&](const ContactPair &pair, const std::size_t surface) { add_pair(pair, surface, triplets); });
     Assert((weights_.array() > 0.).all(), dealii::ExcMessage("every part has a length"));
+    Assert((penalties_.array() >= 0.).all(), dealii::ExcMessage("penalties are not negative"));
     penalties_ = penalties_.cwiseQuotient(weights_);
     layer_compliances_ = layer_compliances_.cwiseQuotient(weights_);
     make_observers(triplets);
@@ -136,12 +137,15 @@ namespace abut
   Eigen::VectorXd InterfaceProblem::normal_displacements(const Eigen::VectorXd &response,
                                                          const std::size_t body) const
   {
+    AssertIndexRange(body, bodies_.size());
+    AssertDimension(response.size(), response_size_);
     return response.segment(displacement_offsets_[body], bodies_[body]->trace_size() / 2);
   }
 
   Eigen::MatrixXd InterfaceProblem::contact_forces(const std::size_t body,
                                                    const Eigen::MatrixXd &multipliers) const
   {
+    AssertIndexRange(body, bodies_.size());
     AssertDimension(multipliers.rows(), layout_.size());
     return observers_[body].topRows(n_pressures()).transpose() * multipliers;
   }
@@ -149,11 +153,14 @@ namespace abut
   Eigen::MatrixXd InterfaceProblem::response_of(const std::size_t body,
                                                 const Eigen::MatrixXd &displacements) const
   {
+    AssertIndexRange(body, bodies_.size());
+    AssertDimension(displacements.rows(), observers_[body].cols());
     return observers_[body] * displacements;
   }
 
   Eigen::VectorXd InterfaceProblem::observe(const std::vector<Eigen::VectorXd> &displacements) const
   {
+    AssertDimension(displacements.size(), bodies_.size());
     Eigen::VectorXd response = Eigen::VectorXd::Zero(response_size_);
     response.head(n_pressures()) = initial_gap_;
     for (std::size_t a = 0; a < bodies_.size(); ++a)

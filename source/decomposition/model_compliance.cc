@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/decomposition/model_compliance.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -86,6 +88,7 @@ namespace abut
 
   ModelCompliance::ModelCompliance(const InterfaceProblem &problem) : problem_(problem)
   {
+    AssertDimension(problem.layout().n_components(), 1);
     for (std::size_t i = 0; i < problem.surfaces().size(); ++i)
     {
       const ContactSurface &surface = problem.surfaces()[i];
@@ -105,6 +108,7 @@ namespace abut
 
   Eigen::VectorXd ModelCompliance::respond(const Eigen::VectorXd &pressures) const
   {
+    AssertDimension(pressures.size(), problem_.n_pressures());
     Eigen::VectorXd result(pressures.size());
     for (const Block &block : blocks_)
     {
@@ -122,6 +126,8 @@ namespace abut
 
   ModelCompliance::Factor::Factor(const ModelCompliance &model, const ActiveSet &active)
   {
+    Assert(std::is_sorted(active.begin(), active.end()),
+           dealii::ExcMessage("active sets are in increasing order"));
     const InterfaceProblem &problem = model.problem_;
     std::size_t k = 0;
     for (const Block &block : model.blocks_)

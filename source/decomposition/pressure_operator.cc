@@ -3,6 +3,8 @@
 #include <abut/base/user_error.h>
 #include <abut/decomposition/model_compliance.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -45,6 +47,7 @@ namespace abut
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
                             double) const override
       {
+        AssertDimension(right_sides.rows(), static_cast<Index>(active.size()));
         return with_penalty_(active).cwiseInverse().asDiagonal() * right_sides;
       }
 
@@ -72,6 +75,7 @@ namespace abut
       Eigen::MatrixXd solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
                             const double accuracy) const override
       {
+        AssertDimension(right_sides.rows(), static_cast<Index>(active.size()));
         if (!compliance_.is_dense())
           if (const auto solutions = iterate(active, right_sides, accuracy))
             return *solutions;

@@ -3,6 +3,8 @@
 #include <abut/decomposition/pushed_bodies.h>
 #include <abut/decomposition/schemes/nonnegative_fit.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -53,6 +55,7 @@ namespace abut
   void refuse_pushed_bodies(const InterfaceProblem &problem, const MotionTerms &motions,
                             const Eigen::VectorXd &gap_integrals)
   {
+    AssertDimension(gap_integrals.size(), problem.n_pressures());
     constexpr double touching = 1e-6; // of what the sides are long: how well curves meet that should touch
     constexpr double small = 1e-3;    // pressures beside what balances the loads
     constexpr double balanced = 1e-7; // of the forces on a motion

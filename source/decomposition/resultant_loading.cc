@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/decomposition/resultant_loading.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -17,6 +19,7 @@ namespace abut
   double find_rigid_displacement(const std::function<double(double)> &force, const double target,
                                  const double guess, const double tolerance, const std::string &name)
   {
+    Assert(tolerance > 0., dealii::ExcMessage("the force is met to an accuracy"));
     double a = 0., at_a = force(a) - target;
     const double close = tolerance * std::max(std::abs(target), std::abs(at_a + target));
     if (std::abs(at_a) <= close)

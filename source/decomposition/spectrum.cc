@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/spectrum.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -22,6 +24,10 @@ namespace abut
   double largest_eigenvalue(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                             const Eigen::VectorXd *const active)
   {
+    Assert((problem.penalties().array() > 0.).all(),
+           dealii::ExcMessage("the parallel Neumann scheme needs a penalty"));
+    Assert(active == nullptr || active->size() == problem.n_pressures(),
+           dealii::ExcMessage("a number for every multiplier"));
     constexpr double tolerance = 1e-5;
     constexpr Index most_steps = 200;
     const Index n = problem.n_pressures();

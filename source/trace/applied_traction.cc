@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/applied_traction.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/SparseCholesky>
 
 namespace abut
 {
   Eigen::MatrixXd segment_mass(const Trace &side, const Segment &segment)
   {
+    AssertDimension(segment.nodes.size(), side.basis().degree() + 1);
     const GaussRule rule(side.basis().degree() + 3);
     const auto n = static_cast<Eigen::Index>(segment.nodes.size());
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
@@ -20,6 +23,7 @@ namespace abut
 
   Eigen::VectorXd applied_traction(const Trace &side, const Eigen::VectorXd &forces)
   {
+    AssertDimension(forces.size(), static_cast<Eigen::Index>(2 * side.n_nodes()));
     std::vector<Eigen::Triplet<double>> entries;
     for (const Segment &segment : side.segments())
     {

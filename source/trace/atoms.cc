@@ -3,6 +3,8 @@
 #include <abut/trace/carrier.h>
 #include <abut/trace/surface_line.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -183,6 +185,7 @@ namespace abut
 
   std::vector<Atom> cut_into_atoms(const Surface &surface, const std::vector<CommonNormal> &normals)
   {
+    AssertDimension(normals.size(), surface.links.size());
     const SurfaceLine line(surface);
     return Atoms(surface, normals, line).take();
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/carrier.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -54,6 +56,8 @@ namespace abut
 
   double whole_box(const Trace &side, const std::size_t segment, const double s)
   {
+    AssertIndexRange(segment, side.segments().size());
+    Assert(s > -1e-9 && s < 1. + 1e-9, dealii::ExcMessage("a place of a segment lies in [0, 1]"));
     std::vector<double> bounds = {0.};
     for (const double bound : box_bounds(side))
       bounds.push_back(bound);
@@ -74,6 +78,7 @@ namespace abut
 
   bool other_carries(const Surface &surface, const Piece &piece)
   {
+    AssertIndexRange(piece.link, surface.links.size());
     const SurfaceLink &link = surface.links[piece.link];
     if (link.carrier != Carrier::automatic)
       return link.carrier == Carrier::other;
@@ -95,6 +100,7 @@ namespace abut
 
   CarrierSegment carrier_segment(const Surface &surface, const Piece &piece)
   {
+    AssertIndexRange(piece.link, surface.links.size());
     const SurfaceLink &link = surface.links[piece.link];
     if (other_carries(surface, piece))
       return {true, link.other, surface.others[link.other].trace, piece.other_segment};
@@ -174,6 +180,7 @@ namespace abut
                                          const std::vector<Piece> &pieces,
                                          const std::vector<std::size_t> &stretches)
   {
+    AssertDimension(normals.size(), surface.links.size());
     constexpr double all_of_it = 1. - 1e-6;
     std::map<NodeId, Lengths> lengths = lengths_around_nodes(surface, normals, pieces, stretches);
     std::vector<CarrierNode> nodes;

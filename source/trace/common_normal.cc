@@ -2,6 +2,8 @@
 #include <abut/trace/common_normal.h>
 #include <abut/trace/plane_geometry.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
@@ -43,6 +45,8 @@ namespace abut
   CommonNormal::Place CommonNormal::place_on(const Trace &side, const NormalWeight &weight,
                                              const std::size_t segment, const double s)
   {
+    AssertIndexRange(segment, side.segments().size());
+    Assert(s > -1e-9 && s < 1. + 1e-9, dealii::ExcMessage("a place of a segment lies in [0, 1]"));
     const Segment &at = side.segments()[segment];
     return {side.point(at, s), Trace::averaged_normal(at, s), weight.at(segment, s)};
   }
@@ -99,6 +103,7 @@ namespace abut
 
   CommonNormal::Facing CommonNormal::project(const Place &place, const std::size_t other_segment) const
   {
+    AssertIndexRange(other_segment, other_ends_.size());
     const auto &ends = other_ends_[other_segment];
     const auto miss = [&](const double t) {
       return offset(place, place_on(other_, other_weight_, other_segment, t));
@@ -112,6 +117,8 @@ namespace abut
   std::optional<double> CommonNormal::place_opposite(const std::size_t segment,
                                                      const std::size_t other_segment, const double t) const
   {
+    AssertIndexRange(segment, cut_ends_.size());
+    AssertIndexRange(other_segment, other_ends_.size());
     const auto &ends = cut_ends_[segment];
     const auto &other_ends = other_ends_[other_segment];
     const Place other = t == 0.   ? other_ends[0]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/surface.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,12 +66,17 @@ namespace abut
   {
     std::vector<CommonNormal> normals;
     for (const SurfaceLink &link : surface.links)
+    {
+      AssertIndexRange(link.cut, surface.cut.size());
+      AssertIndexRange(link.other, surface.others.size());
       normals.emplace_back(*surface.cut[link.cut].trace, *surface.others[link.other].trace);
+    }
     return normals;
   }
 
   std::vector<Piece> common_refinement(const Surface &surface, const std::vector<CommonNormal> &normals)
   {
+    AssertDimension(normals.size(), surface.links.size());
     std::vector<Piece> pieces;
     for (std::size_t side = 0; side < surface.cut.size(); ++side)
       for (std::size_t i = 0; i < surface.cut[side].trace->segments().size(); ++i)
@@ -84,6 +91,7 @@ namespace abut
 
   double arc_length(const Trace &side, const Segment &segment, const double start, const double end)
   {
+    Assert(start <= end, dealii::ExcMessage("an interval runs forwards"));
     if (segment.points.size() == 2)
       return (end - start) * segment.length;
     const GaussRule rule(static_cast<unsigned int>(segment.points.size()) + 1);

@@ -2,6 +2,8 @@
 #include <abut/trace/coupling.h>
 #include <abut/trace/displacement_entries.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace abut
@@ -95,6 +97,8 @@ namespace abut
   Coupling couple(const Surface &surface, const std::vector<CommonNormal> &normals,
                   const Partition &partition, const std::size_t link, const GapFunction &gap)
   {
+    AssertDimension(normals.size(), surface.links.size());
+    AssertIndexRange(link, surface.links.size());
     Coupler coupler(surface, normals[link], surface.links[link], gap, partition.parts().size());
     for (const Piece &piece : partition.pieces())
       if (piece.link == link)

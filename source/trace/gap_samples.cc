@@ -3,6 +3,8 @@
 #include <abut/trace/displacement_entries.h>
 #include <abut/trace/gap_samples.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,7 @@ namespace abut
 
   double smallest_value(const Eigen::VectorXd &samples)
   {
+    Assert(samples.size() > 0, dealii::ExcMessage("there is no smallest of no samples"));
     double smallest = samples.minCoeff();
     for (Index i = 1; i + 1 < samples.size(); ++i)
     {
@@ -29,6 +32,8 @@ namespace abut
   GapSamples sample_gaps(const Surface &surface, const std::vector<CommonNormal> &normals,
                          const Partition &partition, const std::size_t link, const GapFunction &gap)
   {
+    AssertDimension(normals.size(), surface.links.size());
+    AssertIndexRange(link, surface.links.size());
     constexpr Index per_piece = GapSamples::per_piece;
     const Trace &cut = *surface.cut[surface.links[link].cut].trace,
                 &other = *surface.others[surface.links[link].other].trace;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/lagrange_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
@@ -37,6 +39,7 @@ namespace abut
 
   GaussRule::GaussRule(const unsigned int n_points)
   {
+    Assert(n_points > 0, dealii::ExcMessage("a rule has points"));
     const JacobiRule rule(n_points, 0.);
     points = (rule.points.array() + 1.) / 2.;
     weights = rule.first_components.array().square();

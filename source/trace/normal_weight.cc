@@ -2,6 +2,8 @@
 #include <abut/trace/normal_weight.h>
 #include <abut/trace/plane_geometry.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,7 @@ namespace abut
   NormalWeight::NormalWeight(const Trace &side, const double longest_reach)
       : side_(side), curvatures_(side.segments().size())
   {
+    Assert(longest_reach > 0., dealii::ExcMessage("a corner reaches along its side"));
     measure_curvature();
     find_corners(longest_reach);
   }
@@ -72,6 +75,7 @@ namespace abut
 
   double NormalWeight::at(const std::size_t segment, const double s) const
   {
+    AssertIndexRange(segment, curvatures_.size());
     const Segment &at = side_.segments()[segment];
     const double arc_length = at.arc_start + s * at.length;
     double distance = far_away * side_.length(), concentrated = 0.;

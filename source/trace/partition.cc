@@ -5,6 +5,8 @@
 #include <abut/trace/run.h>
 #include <abut/trace/surface_line.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace abut
@@ -29,6 +31,7 @@ namespace abut
 
   Partition::Partition(const Surface &surface, const std::vector<CommonNormal> &normals)
   {
+    AssertDimension(normals.size(), surface.links.size());
     std::vector<Atom> atoms = cut_into_atoms(surface, normals);
     const SurfaceLine line(surface);
     RunMerger merger(surface, normals, atoms);

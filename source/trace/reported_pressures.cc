@@ -2,6 +2,8 @@
 #include <abut/trace/carrier.h>
 #include <abut/trace/partition.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -63,6 +65,8 @@ namespace abut
 
   double Partition::along(const Eigen::VectorXd &values, const std::size_t part, const double arc) const
   {
+    AssertDimension(values.size(), static_cast<Eigen::Index>(parts_.size()));
+    AssertIndexRange(part, parts_.size());
     return PlacePolyline(*this, values, part).at(part, arc);
   }
 
@@ -210,6 +214,7 @@ namespace abut
 
   Eigen::VectorXd Partition::reported_pressures(const Eigen::VectorXd &loads) const
   {
+    AssertDimension(loads.size(), static_cast<Eigen::Index>(parts_.size()));
     return (loads.array() > 0.).select((node_shares_ * loads).array().max(0.), 0.);
   }
 } // namespace abut

@@ -3,6 +3,8 @@
 #include <abut/trace/run.h>
 #include <abut/trace/surface_line.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace abut
@@ -30,6 +32,7 @@ namespace abut
 
   std::vector<Run> RunMerger::merge(std::vector<Run> runs, const std::optional<double> &period)
   {
+    Assert(!period || *period > 0., dealii::ExcMessage("a closed stretch has a length"));
     runs_ = std::move(runs);
     period_ = period;
     for (Run &run : runs_)

@@ -2,8 +2,11 @@
 #include <abut/trace/plane_geometry.h>
 #include <abut/trace/trace.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <utility>
 
 namespace abut
@@ -24,18 +27,39 @@ namespace abut
       : basis_(degree), geometry_(geometry_degree), segments_(std::move(segments)),
         node_dofs_(std::move(node_dofs))
   {
+    check_segments();
     measure();
     average_normals();
     place_nodes();
   }
 
+  void Trace::check_segments() const
+  {
+    for ([[maybe_unused]] const Segment &segment : segments_)
+    {
+      AssertDimension(segment.nodes.size(), basis_.degree() + 1);
+      AssertDimension(segment.points.size(), geometry_.degree() + 1);
+      Assert(std::all_of(segment.nodes.begin(), segment.nodes.end(),
+                         [&](const unsigned int node) { return node < n_nodes(); }),
+             dealii::ExcMessage("the nodes of a segment are those of its trace"));
+      Assert(std::all_of(segment.points.begin(), segment.points.end(),
+                         [](const Vector2 &point) { return point.allFinite(); }),
+             dealii::ExcMessage("places are numbers"));
+    }
+  }
+
   bool Trace::is_smooth_after(const std::size_t segment) const
   {
+    AssertIndexRange(segment, segments_.size());
     return following_[segment] && corner_normals_.count(segments_[segment].nodes.back()) == 0;
   }
 
   void Trace::set_supports(std::vector<Eigen::Matrix2d> projections)
   {
+    AssertDimension(projections.size(), n_nodes());
+    for ([[maybe_unused]] const Eigen::Matrix2d &projection : projections)
+      Assert((projection - projection.transpose()).norm() < 1e-12,
+             dealii::ExcMessage("a projection on directions is symmetric"));
     supports_ = std::move(projections);
     for (std::size_t i = 0; i < segments_.size(); ++i)
       for (const std::size_t end : {std::size_t(0), std::size_t(1)})
@@ -59,6 +83,7 @@ namespace abut
 
   bool Trace::is_plane_of_symmetry(const Segment &segment, const std::size_t end) const
   {
+    AssertIndexRange(end, 2);
     const Eigen::Matrix2d support = support_at(segment, end);
     const Vector2 along = tangent(segment, static_cast<double>(end)).normalized();
     return (support * along).squaredNorm() > .5 && support.trace() < 1.5; // one direction
@@ -66,6 +91,7 @@ namespace abut
 
   bool Trace::is_held(const Segment &segment, const double s, const Vector2 &direction) const
   {
+    Assert(std::abs(direction.norm() - 1.) < 1e-8, dealii::ExcMessage("directions have unit length"));
     constexpr double round_off = 1e-9;
     if (supports_.empty())
       return false;
@@ -149,6 +175,7 @@ namespace abut
 
   std::vector<Vector2> Trace::normals_at(const std::size_t node) const
   {
+    AssertIndexRange(node, n_nodes());
     const auto corner = corner_normals_.find(node);
     if (corner == corner_normals_.end())
       return {node_normals_[node]};

@@ -4,6 +4,8 @@
 #include <abut/contact/elastic_layer.h>
 #include <abut/trace/trace.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   /// What a pair needs to know of one of its bodies.
@@ -15,7 +17,10 @@ namespace abut
           young_modulus(material.young_modulus),
           plane_modulus(material.young_modulus / (1. - material.poisson_ratio * material.poisson_ratio)),
           layer_compliance(abut::layer_compliance(material, depth_behind))
-    {}
+    {
+      Assert(depth_behind > 0., dealii::ExcMessage("a body has a depth behind its side"));
+      Assert(young_modulus > 0., dealii::ExcMessage("a body has a stiffness"));
+    }
 
     std::size_t body;        ///< position in the scene
     std::size_t side;        ///< position among the body's contact sides

@@ -52,10 +52,12 @@ namespace abut
     /// N of either side along a direction, parts x trace components.
     const PartRows &slave_coupling(const std::size_t direction = normal_direction) const
     {
+      AssertIndexRange(direction, n_directions);
       return (slave_is_cut_ ? coupling_.cut : coupling_.other)[direction];
     }
     const PartRows &master_coupling(const std::size_t direction = normal_direction) const
     {
+      AssertIndexRange(direction, n_directions);
       return (slave_is_cut_ ? coupling_.other : coupling_.cut)[direction];
     }
     const Eigen::VectorXd &weights() const { return coupling_.weights; }

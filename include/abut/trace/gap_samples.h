@@ -3,6 +3,8 @@
 
 #include <abut/trace/coupling.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   /**
@@ -25,6 +27,8 @@ namespace abut
     Eigen::VectorXd gaps(const Eigen::VectorXd &cut_displacement,
                          const Eigen::VectorXd &other_displacement) const
     {
+      AssertDimension(cut_displacement.size(), cut.cols());
+      AssertDimension(other_displacement.size(), other.cols());
       return gap + cut * cut_displacement + other * other_displacement;
     }
   };

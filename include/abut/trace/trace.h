@@ -88,6 +88,7 @@ namespace abut
 
   private:
     Eigen::Matrix2d support_at(const Segment &segment, std::size_t end) const;
+    void check_segments() const;
     void measure();
     void average_normals();
     void place_nodes();

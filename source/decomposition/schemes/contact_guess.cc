@@ -3,6 +3,8 @@
 #include <abut/decomposition/schemes/initial_guess.h>
 #include <abut/decomposition/schemes/pivoting.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   namespace
@@ -25,6 +27,8 @@ namespace abut
   ContactGuess guess_contact(const ContactSystem &system, const InterfaceProblem::Loads &loads,
                              const std::optional<Eigen::VectorXd> &pressures)
   {
+    Assert(!pressures || pressures->size() == system.problem.n_pressures(),
+           dealii::ExcMessage("a pressure for every multiplier"));
     const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(system.motions.size());
     if (pressures && system.motions.size() == 0)
       return {system.problem.law().project(*pressures), at_rest};

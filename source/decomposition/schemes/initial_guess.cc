@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/schemes/initial_guess.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   namespace
@@ -44,6 +46,7 @@ namespace abut
   Eigen::VectorXd layer_pressures(const InterfaceProblem &problem, const InterfaceProblem::Loads &loads,
                                   const Eigen::VectorXd &extra)
   {
+    AssertDimension(extra.size(), problem.n_pressures());
     return problem.law().penalised(problem.gaps(loads.response), problem.layer_compliances() + extra);
   }
 

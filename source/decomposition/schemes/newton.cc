@@ -5,6 +5,8 @@
 #include <abut/decomposition/schemes/pivoting.h>
 #include <abut/scene/scheme_entry.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace abut
@@ -90,6 +92,9 @@ namespace abut
                               const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
                               const Eigen::VectorXd &pressure_response, const double tolerance)
   {
+    AssertDimension(pressures.size(), system.problem.n_pressures());
+    AssertDimension(amplitudes.size(), system.motions.size());
+    AssertDimension(pressure_response.size(), system.problem.response_size());
     const InterfaceProblem &problem = system.problem;
     SchemeResult result;
     result.traction = problem.law().project(pressures);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/schemes/nonnegative_fit.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -66,6 +68,7 @@ namespace abut
 
   NonnegativeFit nonnegative_fit(const Eigen::MatrixXd &matrix, const Eigen::VectorXd &right_side)
   {
+    AssertDimension(matrix.rows(), right_side.size());
     constexpr double barred = -std::numeric_limits<double>::infinity();
     NonnegativeFit fit{Eigen::VectorXd::Zero(matrix.cols())};
     if (matrix.size() == 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/schemes/pivoting.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -31,6 +33,9 @@ namespace abut
 
   bool BlockPivoting::flip(const std::vector<Index> &infeasible, std::vector<bool> &active)
   {
+    Assert(std::all_of(infeasible.begin(), infeasible.end(),
+                       [&](const Index i) { return i >= 0 && i < static_cast<Index>(active.size()); }),
+           dealii::ExcMessage("multipliers of the set"));
     const auto change = [&](const Index i) {
       active[static_cast<std::size_t>(i)] = !active[static_cast<std::size_t>(i)];
     };
@@ -91,6 +96,8 @@ namespace abut
   bool ActiveSetDescent::advance(const Eigen::VectorXd &solution, const std::vector<Index> &infeasible,
                                  std::vector<bool> &active)
   {
+    AssertDimension(solution.size(), pressures_.size());
+    AssertDimension(static_cast<Index>(active.size()), pressures_.size());
     const auto pulls = [&](const Index i) { return active[static_cast<std::size_t>(i)]; };
     if (std::any_of(infeasible.begin(), infeasible.end(), pulls))
     {
@@ -171,6 +178,9 @@ namespace abut
   PivotResult ActiveSetMethod::solve(const Eigen::VectorXd &gaps, const Eigen::VectorXd &pressures,
                                      const Eigen::VectorXd &motions, const Observer &observer) const
   {
+    AssertDimension(gaps.size(), problem_.n_pressures());
+    AssertDimension(pressures.size(), problem_.n_pressures());
+    AssertDimension(motions.size(), motions_.size());
     std::vector<bool> active = problem_.law().active(pressures);
     Eigen::VectorXd softness = first_softness * motions_.layer_stiffness, before = motions;
     PivotResult result;

@@ -3,6 +3,8 @@
 #include <abut/decomposition/schemes/projected_gradients.h>
 #include <abut/decomposition/spectrum.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,6 +51,9 @@ namespace abut
                                  unsigned int &n_products, Eigen::VectorXd &x,
                                  const std::function<void(const Eigen::VectorXd &)> &observer) const
   {
+    AssertDimension(x.size(), problem_.linear.size());
+    Assert(!(x.array() < 0.).any(), dealii::ExcMessage("the way begins within the bound"));
+    Assert(!(problem_.norm <= 0.), dealii::ExcMessage("the largest eigenvalue is positive"));
     const double fixed_step = 1. / problem_.norm;
     const auto product = [&](const Eigen::VectorXd &v) {
       ++n_products;

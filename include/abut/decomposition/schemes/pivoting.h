@@ -4,6 +4,8 @@
 #include <abut/decomposition/motion_terms.h>
 #include <abut/decomposition/pressure_operator.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <functional>
 #include <set>
 
@@ -37,7 +39,10 @@ namespace abut
   {
   public:
     /// `pressures` >= 0; the positive ones are active.
-    explicit ActiveSetDescent(const Eigen::VectorXd &pressures) : pressures_(pressures) {}
+    explicit ActiveSetDescent(const Eigen::VectorXd &pressures) : pressures_(pressures)
+    {
+      Assert(!(pressures.array() < 0.).any(), dealii::ExcMessage("the way begins where nothing pulls"));
+    }
 
     std::vector<bool> active() const;
     /// The next active set, from the solution on the present one and its infeasible multipliers, the worst
