@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/body.h>
 #include <abut/base/counts.h>
+#include <abut/bodies/body.h>
 #include <abut/comparison/exact_solution.h>
 #include <abut/decomposition/interface_problem.h>
 
