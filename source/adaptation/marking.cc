@@ -35,7 +35,9 @@ namespace abut
   CellMarks split_first(const CellErrors &errors, const Eigen::VectorXd &eta, std::size_t n_split,
                         std::size_t n_kept)
   {
+    AssertDimension(eta.size(), errors.stress.size());
     const std::vector<std::size_t> cells = by_falling_error(errors.stress);
+    Assert(n_split <= cells.size() && n_kept <= cells.size(), dealii::ExcMessage("shares of all cells"));
     n_split = with_equal_ones(errors.stress, cells, n_split);
     n_kept = with_equal_ones(errors.stress, cells, std::max(n_split, n_kept));
     CellMarks marks{std::vector<bool>(cells.size(), false), std::vector<bool>(cells.size(), false)};

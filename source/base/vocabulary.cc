@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/base/vocabulary.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -45,6 +47,8 @@ namespace abut
 
   void Vocabulary::add(const Word &word)
   {
+    Assert(!word.name.empty() && !word.documentation.empty(), dealii::ExcMessage("a word needs a meaning"));
+    Assert(!knows(word.name), dealii::ExcMessage("a word is registered twice"));
     const auto place = std::lower_bound(words_.begin(), words_.end(), word,
                                         [](const Word &a, const Word &b) { return a.name < b.name; });
     words_.insert(place, word);

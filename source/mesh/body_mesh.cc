@@ -73,6 +73,10 @@ namespace abut
   {
     const ShapeEntry &shape = shape_of(body);
     RawMesh raw = own_mesh(shape, body);
+    Assert(!raw.cells.empty() && !raw.boundary_edges.empty() && !raw.sides.empty(),
+           dealii::ExcMessage("a mesh has cells and sides"));
+    Assert(shape.has_curves == (shape.attach_curves != nullptr),
+           dealii::ExcMessage("a shape with curves attaches them"));
     place(raw, body.placement);
 
     auto mesh = std::make_unique<BodyMesh>();

@@ -31,6 +31,8 @@ namespace abut
 
   void set_flags(dealii::Triangulation<2> &triangulation, const CellMarks &marks)
   {
+    AssertDimension(marks.refine.size(), triangulation.n_active_cells());
+    AssertDimension(marks.coarsen.size(), triangulation.n_active_cells());
     const bool triangles = !triangulation.all_reference_cells_are_hyper_cube();
     for (const auto &cell : triangulation.active_cell_iterators())
     {

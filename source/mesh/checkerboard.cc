@@ -41,6 +41,7 @@ namespace abut
 
   Eigen::VectorXd checkerboard(const dealii::Triangulation<2> &triangulation, const Eigen::VectorXd &values)
   {
+    AssertDimension(values.size(), static_cast<Eigen::Index>(triangulation.n_active_cells()));
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(values.size()), counts = sums;
     for (const auto &around : cells_by_vertex(triangulation))
     {

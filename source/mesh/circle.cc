@@ -9,6 +9,7 @@ namespace abut
 {
   Vector2 quarter_circle(const unsigned int k, const unsigned int n)
   {
+    Assert(n > 0 && k <= n, dealii::ExcMessage("a point of a quarter circle is one of n + 1"));
     if (2 * k > n)
       return quarter_circle(n - k, n).reverse();
     if (2 * k == n)

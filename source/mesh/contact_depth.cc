@@ -30,6 +30,7 @@ namespace abut
             sum += outward ? normal : Vector2(-normal);
             length += (b - a).norm();
           }
+      Assert(length > 0., dealii::ExcMessage("a side has edges"));
       return sum / length;
     }
 
@@ -76,6 +77,9 @@ namespace abut
     constexpr double vanishing = 1e-6; // mean of a unit vector: 0 around a closed curve up to rounding
     const auto vertices = boundary_vertices(mesh.triangulation);
     const Vector2 normal = mean_normal(mesh.triangulation, side);
-    return normal.norm() > vanishing ? extent(vertices, normal.normalized()) : 0.5 * diameter(vertices);
+    const double depth =
+        normal.norm() > vanishing ? extent(vertices, normal.normalized()) : 0.5 * diameter(vertices);
+    Assert(depth > 0., dealii::ExcMessage("a body has a depth"));
+    return depth;
   }
 } // namespace abut

@@ -2,6 +2,8 @@
 #include <abut/base/user_error.h>
 #include <abut/mesh/raw_mesh.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <sstream>
 #include <utility>
 
@@ -31,6 +33,7 @@ namespace abut
 
   RawMesh reflect(const RawMesh &mesh, const int component, const std::string &seam)
   {
+    Assert(mesh.sides.count(seam) == 1, dealii::ExcMessage("the seam is a side of the mesh"));
     RawMesh image = mesh;
     turn_cells_over(image);
 
@@ -67,6 +70,8 @@ namespace abut
 
   RawMesh split_into_triangles(const RawMesh &quadrilaterals)
   {
+    Assert(quadrilaterals.cell_type == CellType::quadrilaterals,
+           dealii::ExcMessage("only quadrilaterals can be cut in two"));
     RawMesh result = quadrilaterals;
     result.cell_type = CellType::triangles;
     result.cells.clear();

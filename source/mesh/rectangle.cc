@@ -2,12 +2,15 @@
 #include <abut/mesh/rectangle.h>
 #include <abut/scene/shape_entry.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace abut
 {
   std::vector<double> graded(const unsigned int n, const double grading)
   {
+    Assert(n > 0 && grading > 0., dealii::ExcMessage("a grading of cells is a number above 0"));
     const double ratio = n > 1 ? std::pow(grading, 1. / (n - 1)) : 1.;
     std::vector<double> numbers{0.};
     double step = 1.;

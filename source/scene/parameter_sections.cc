@@ -46,6 +46,7 @@ namespace abut
   {
     for (const auto &[name, declare] : declarations)
     {
+      Assert(handlers_.count(name) == 0, dealii::ExcMessage("a section is declared twice"));
       names_.push_back(name);
       handlers_[name] = std::make_unique<ParameterHandler>();
       parse(name, declare);

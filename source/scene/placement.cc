@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/scene/placement.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace abut
@@ -27,6 +29,8 @@ namespace abut
                        const Vector2 &shift)
       : scale_(scale), mirrored_(mirrored), turn_(rotation(angle_in_degrees)), shift_(shift)
   {
+    Assert(scale > 0. && std::isfinite(scale), dealii::ExcMessage("a scale is a number above 0"));
+    Assert(shift.allFinite() && turn_.allFinite(), dealii::ExcMessage("a placement is finite"));
     if (mirrored)
       turn_.col(0) *= -1.;
   }
