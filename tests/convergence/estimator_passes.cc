@@ -3,6 +3,7 @@
 
 #include <abut/adaptation/marking.h>
 #include <abut/comparison/quality.h>
+#include <abut/run/estimate.h>
 #include <abut/study/quality_table.h>
 
 #include "../space_of.h"

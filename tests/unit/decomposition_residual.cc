@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // The algebraic error of the scheme newton, and the accuracy of its systems on active sets.
+#include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/decomposition/schemes/newton.h>
 
