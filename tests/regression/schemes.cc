@@ -20,9 +20,9 @@ namespace
 
   enum Row : std::size_t
   {
+    newton,
     conjugate,
-    neumann,
-    newton
+    neumann
   };
 } // namespace
 
