@@ -34,7 +34,7 @@ namespace abut
       prm.declare_entry("Shape", "rectangle", Patterns::Anything(),
                         "In the body's own frame. Not used with a mesh file. " +
                             Vocabulary::of("Shape").documentation());
-      prm.declare_entry("Size", "1, 1", Patterns::List(Patterns::Double(0.), 1, 2),
+      prm.declare_entry("Size", "1, 1", Patterns::List(Patterns::Double(0.), 1),
                         "Lengths, before Scale. " + sizes_of_shapes());
       prm.declare_entry("Top", "", Patterns::Anything(),
                         "Rectangle with curved top: height y of the top at x, a formula. Length.");
