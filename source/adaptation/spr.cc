@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/better_stress.h>
 #include <abut/adaptation/patches.h>
 #include <abut/adaptation/spr.h>
 #include <abut/bodies/finite_elements/boundary_traction.h>
