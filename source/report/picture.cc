@@ -36,7 +36,7 @@ namespace abut
       Vector2 size() const { return high - low; }
     };
 
-    /// A stretch of a slave side under pressure.
+    /// A stretch of a cut side under pressure.
     struct Comb
     {
       Polyline base, tips;

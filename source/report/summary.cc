@@ -94,7 +94,7 @@ namespace abut
               {"norms",
                {{"energy", "energy norm, all bodies"},
                 {"stress", "L2 over xx, yy, zz and twice xy, all bodies"},
-                {"pressure", "L2 on the slave side of the first contact"},
+                {"pressure", "L2 of the reported pressures over the first contact"},
                 {"force", "normal force of the first contact"}}}};
     }
 

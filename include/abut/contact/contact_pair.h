@@ -31,8 +31,8 @@ namespace abut
    *
    *     gap_k + (N_s u_s + N_m u_m)_k,
    *
-   * positive where the bodies are apart; the weight of its share is D_k, the load of the pressure D_k p_k.
-   * Along the tangent N_s u_s + N_m u_m is how far the bodies slide: D_k times the tangential gap.
+   * positive where the bodies are apart; the weight of its share is D_k, the force of its load p_k is D_k
+   * p_k. Along the tangent N_s u_s + N_m u_m is how far the bodies slide: D_k times the tangential gap.
    */
   class ContactPair
   {

@@ -18,7 +18,7 @@ namespace abut
   /**
    * Pairs that meet as one surface, cut into parts with one multiplier each. The mean gap of part k under
    * trace displacements u is g_k = sum over pairs of (gap_k + (N_s u_s + N_m u_m)_k) / D_k, D_k its length;
-   * the load of its pressure is D_k p_k. What the gap makes of the pressure says the ContactLaw.
+   * the force of its load p_k is D_k p_k. What the gap makes of the pressure says the ContactLaw.
    */
   class ContactSurface
   {

@@ -28,7 +28,7 @@ namespace abut
     double bound = std::numeric_limits<double>::quiet_NaN(); ///< see SchemeResult::iteration_error, for the
                                                              ///< state the step began with
     double normal_force = 0.;                                ///< sum of D_k p_k of that state
-    double max_pressure = 0.;
+    double max_pressure = 0.;                                ///< largest load p_k, not the reported pressure
     /// While the observer runs: the pressures that the displacement of that state answers (null where it is
     /// no field), and those that the contact law makes of it.
     const Eigen::VectorXd *answered = nullptr, *applied = nullptr;

@@ -51,7 +51,7 @@ namespace abut
     Vector2 force = Vector2::Zero(); ///< resultant on the slave side
     double normal_force = 0.;        ///< sum of D_k p_k
     double max_pressure = 0.;        ///< largest reported pressure
-    double contact_length = 0.;      ///< sum of D_k over the parts that press
+    double contact_length = 0.;      ///< sum of D_k over the parts with a load, or that penetrate
     double max_penetration = 0.;     ///< largest -g_k, 0 without contact
     double min_gap = 0.;             ///< smallest g_k
     NearestPoint nearest;            ///< smallest gap at a point
@@ -83,7 +83,7 @@ namespace abut
   {
     double displacement = 0.;  ///< contact displacement, largest over the bodies, relative, discrete norm
     double energy = 0.;        ///< energy norm, relative
-    double peak_pressure = 0.; ///< the limit's, for comparison
+    double peak_pressure = 0.; ///< the limit's largest load p_k, for comparison
   };
 
   /// What one pass, a mesh with its solution, has found. Errors are relative.

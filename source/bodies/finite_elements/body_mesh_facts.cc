@@ -96,10 +96,4 @@ namespace abut
       return *found;
     throw UserError("Body " + body.name() + ": " + what + " is for bodies of finite elements");
   }
-
-  std::unique_ptr<Body> make_body(const BodyDescription &description,
-                                  const std::vector<std::string> &contact_sides)
-  {
-    return std::make_unique<FiniteElementBody>(description, contact_sides);
-  }
 } // namespace abut
