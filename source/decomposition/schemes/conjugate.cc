@@ -2,7 +2,6 @@
 #include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/conjugate.h>
 #include <abut/decomposition/schemes/contact_guess.h>
-#include <abut/decomposition/schemes/newton.h>
 #include <abut/decomposition/schemes/projected_gradients.h>
 #include <abut/scene/scheme_entry.h>
 
@@ -111,8 +110,7 @@ namespace abut
           ProjectedGradients(bounded).solve(small, parameters_.maximum_steps, steps, x, count_on);
       const Eigen::VectorXd p = scaled->pressures(x);
       motions = scaled->motions_for(p, motions);
-      SchemeResult result =
-          contact_result(system_, loads, p, motions, system_.compliance.apply(p), parameters_.tolerance);
+      SchemeResult result = result_of(loads, p, motions, system_.compliance.apply(p));
       result.steps = steps;
       const bool balanced = system_.motions.is_balanced(p, motions);
       if (balanced && result.iteration_error <= parameters_.tolerance)

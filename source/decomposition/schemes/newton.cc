@@ -2,10 +2,7 @@
 #include <abut/decomposition/measures.h>
 #include <abut/decomposition/schemes/contact_guess.h>
 #include <abut/decomposition/schemes/newton.h>
-#include <abut/decomposition/schemes/pivoting.h>
 #include <abut/scene/scheme_entry.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 
@@ -75,43 +72,15 @@ namespace abut
       Eigen::VectorXd before_;
       double increment_ = 0.;
     };
-    /// What a run of the active-set method found. A state that it has not finished may pull: what is reported
-    /// answers the pressures that push.
-    SchemeResult answer(const ContactSystem &system, const InterfaceProblem::Loads &loads,
-                        const PivotResult &pivots, const double tolerance)
-    {
-      const bool finished = !pivots.cycles && !pivots.too_many;
-      const Eigen::VectorXd response =
-          finished ? pivots.state.response
-                   : system.compliance.apply(system.problem.law().project(pivots.state.pressures));
-      return contact_result(system, loads, pivots.state.pressures, pivots.state.motions, response, tolerance);
-    }
   } // namespace
 
-  SchemeResult contact_result(const ContactSystem &system, const InterfaceProblem::Loads &loads,
-                              const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
-                              const Eigen::VectorXd &pressure_response, const double tolerance)
+  SchemeResult NewtonScheme::answer(const InterfaceProblem::Loads &loads, const PivotResult &pivots) const
   {
-    AssertDimension(pressures.size(), system.problem.n_pressures());
-    AssertDimension(amplitudes.size(), system.motions.size());
-    AssertDimension(pressure_response.size(), system.problem.response_size());
-    const InterfaceProblem &problem = system.problem;
-    SchemeResult result;
-    result.traction = problem.law().project(pressures);
-    result.motions = system.motions.amplitudes(amplitudes);
-    result.response = loads.response + pressure_response + system.motions.all.responses * result.motions;
-    result.iterate = result.response;
-    const bool bounded =
-        system.motions.size() == 0 && problem.n_pressures() > 0 && (problem.penalties().array() > 0.).all();
-    if (bounded)
-      result.iteration_error =
-          system.residual.guaranteed(loads, result.traction, pressure_response, result.response);
-    result.error_is_bound = bounded && result.iteration_error <= tolerance;
-    if (!result.error_is_bound)
-      result.iteration_error =
-          system.residual.algebraic(loads, result.traction, pressure_response, result.response);
-    result.stopped_by = result.error_is_bound ? StoppedBy::bound : StoppedBy::residual;
-    return result;
+    const bool finished = !pivots.cycles && !pivots.too_many;
+    const Eigen::VectorXd response =
+        finished ? pivots.state.response
+                 : system_.compliance.apply(system_.problem.law().project(pivots.state.pressures));
+    return result_of(loads, pivots.state.pressures, pivots.state.motions, response);
   }
 
   SchemeResult NewtonScheme::solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
@@ -137,7 +106,7 @@ namespace abut
           ActiveSetMethod(problem, *contact, system_.motions, accuracy, steps_left)
               .solve(loads.response.head(problem.n_pressures()), state.pressures, state.motions, count_on);
       steps += pivots.steps;
-      SchemeResult result = answer(system_, loads, pivots, tolerance);
+      SchemeResult result = answer(loads, pivots);
       result.steps = steps;
       result.increment = report.increment();
       // Also a state on one of the sets between which rounding cannot decide.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/decomposition/contact_system.h>
-#include <abut/decomposition/scheme.h>
+#include <abut/decomposition/schemes/contact_system_scheme.h>
 
 namespace abut
 {
@@ -12,22 +11,13 @@ namespace abut
    * estimate the norm, and two or three for each proximal step measure the error. Motions of floating bodies
    * and rigid sides are eliminated by proximal steps as in ActiveSetMethod, which is the augmented Lagrangian
    * of the conditions of balance.
-   *
-   * Iteration error: as for the scheme newton.
    */
-  class ConjugateScheme : public Scheme
+  class ConjugateScheme : public ContactSystemScheme
   {
   public:
-    /// The system must outlive the scheme.
-    ConjugateScheme(const ContactSystem &system, const DecompositionParameters &parameters)
-        : system_(system), parameters_(parameters)
-    {}
+    using ContactSystemScheme::ContactSystemScheme;
 
     SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                        const StepObserver &observer) const override;
-
-  private:
-    const ContactSystem &system_;
-    DecompositionParameters parameters_;
   };
 } // namespace abut

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/decomposition/contact_system.h>
-#include <abut/decomposition/scheme.h>
+#include <abut/decomposition/schemes/contact_system_scheme.h>
+#include <abut/decomposition/schemes/pivoting.h>
 
 namespace abut
 {
@@ -11,29 +11,18 @@ namespace abut
    * see ActiveSetMethod. The first active set is that of guess_contact, or where the start's traction
    * presses. A step is one system on an active set; their number does not grow with 1/theta or with the
    * stiffness ratio of the bodies.
-   *
-   * Iteration error: the guaranteed bound where it applies and meets the tolerance, else the algebraic one
-   * (see ContactResidual).
    */
-  class NewtonScheme : public Scheme
+  class NewtonScheme : public ContactSystemScheme
   {
   public:
-    /// The system must outlive the scheme.
-    NewtonScheme(const ContactSystem &system, const DecompositionParameters &parameters)
-        : system_(system), parameters_(parameters)
-    {}
+    using ContactSystemScheme::ContactSystemScheme;
 
     SchemeResult solve(const InterfaceProblem::Loads &loads, const InterfaceState &start,
                        const StepObserver &observer) const override;
 
   private:
-    const ContactSystem &system_;
-    DecompositionParameters parameters_;
+    /// What a run of the active-set method found. A state that it has not finished may pull: what is
+    /// reported answers the pressures that push.
+    SchemeResult answer(const InterfaceProblem::Loads &loads, const PivotResult &pivots) const;
   };
-
-  /// The result of pressures and amplitudes of held motions, with its iteration error. `message` is left
-  /// empty.
-  SchemeResult contact_result(const ContactSystem &system, const InterfaceProblem::Loads &loads,
-                              const Eigen::VectorXd &pressures, const Eigen::VectorXd &amplitudes,
-                              const Eigen::VectorXd &pressure_response, double tolerance);
 } // namespace abut
