@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The parallel Neumann scheme: iterates, bound, ways to end.
 #include <abut/decomposition/interface_solver.h>
+#include <abut/decomposition/schemes/initial_guess.h>
 #include <abut/decomposition/schemes/neumann.h>
 
 #include <gtest/gtest.h>

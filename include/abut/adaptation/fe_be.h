@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/adaptation/indicator.h>
 #include <abut/bodies/boundary_elements/boundary_model.h>
 
 #include <map>
