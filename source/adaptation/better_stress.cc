@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
+#include <abut/base/user_error.h>
+#include <abut/bodies/body.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -33,5 +35,12 @@ namespace abut
     errors.stress_norm = std::sqrt(errors.stress_norm);
     errors.energy_norm = std::sqrt(errors.energy_norm);
     return errors;
+  }
+
+  void check_one_material(const Body &body, const std::string &estimator)
+  {
+    if (!body.has_one_material())
+      throw UserError("Body " + body.name() + ": it has Regions of other materials; Adaptation/Estimator = " +
+                      estimator + " is for bodies of one, allowed is kelly");
   }
 } // namespace abut

@@ -52,6 +52,7 @@ namespace abut
 
   void FEBEIndicator::check(const Body &body) const
   {
+    check_one_material(body, "fe-be");
     check_boundary_elements(as_finite_elements(body, asked));
   }
 

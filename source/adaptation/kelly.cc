@@ -41,7 +41,7 @@ namespace abut
     {
     public:
       Estimate(const FiniteElementBody &body, const BodySolution &solution)
-          : solution_(solution), space_(body.space()), material_(body.material()),
+          : solution_(solution), space_(body.space()), materials_(body.description()),
             field_(body, solution.deformation), boundary_(body, solution.contact_forces),
             degree_(space_.degree()), rule_(degree_ + 1), // faces of both cell types are lines
             face_(space_.mapping(), space_.dof_handler().get_fe(), rule_,
@@ -103,9 +103,10 @@ namespace abut
           const Vector2 residual =
               divergence_at(cell, q) + body_force(solution_.body.description(), Vector2(place[0], place[1]));
           const Vector2 across(-residual.y(), residual.x());
+          const Material &material = materials_(cell);
           const Vector2 direction =
-              (material_.lambda() + 2. * material_.mu()) * residual + material_.mu() * across;
-          squares_[cell->active_cell_index()].add(residual, direction.normalized(), material_,
+              (material.lambda() + 2. * material.mu()) * residual + material.mu() * across;
+          squares_[cell->active_cell_index()].add(residual, direction.normalized(), material,
                                                   factor * interior_.JxW(q));
         }
       }
@@ -113,8 +114,9 @@ namespace abut
       /// div sigma = lambda grad d + mu (grad div u + lap u), see StressField.
       Vector2 divergence_at(const Cell &cell, const unsigned int q) const
       {
-        const double mu = material_.mu();
-        Vector2 divergence = material_.lambda() * field_.divergence_gradient(cell, interior_, q, dofs_);
+        const double mu = materials_(cell).mu();
+        Vector2 divergence =
+            materials_(cell).lambda() * field_.divergence_gradient(cell, interior_, q, dofs_);
         for (const unsigned int i : interior_.dof_indices())
         {
           const auto component = interior_.get_fe().system_to_component_index(i).first;
@@ -138,7 +140,7 @@ namespace abut
           Vector2 residual = Vector2::Zero();
           for (const Vector2 &direction : known.directions)
             residual += difference.dot(direction) * direction;
-          squares_[cell->active_cell_index()].add(residual, normal, material_, factor * face_.JxW(q));
+          squares_[cell->active_cell_index()].add(residual, normal, materials_(cell), factor * face_.JxW(q));
         }
       }
 
@@ -154,9 +156,9 @@ namespace abut
         {
           const Vector2 normal = normal_at(q);
           const Vector2 jump = traction(field_.at(cell, face_, q, dofs_) - other[q], normal);
-          squares_[cell->active_cell_index()].add(jump, normal, material_,
+          squares_[cell->active_cell_index()].add(jump, normal, materials_(cell),
                                                   face_factor(cell, length) * face_.JxW(q));
-          squares_[neighbour->active_cell_index()].add(jump, normal, material_,
+          squares_[neighbour->active_cell_index()].add(jump, normal, materials_(neighbour),
                                                        face_factor(neighbour, coarse_length) * face_.JxW(q));
         }
       }
@@ -192,7 +194,7 @@ namespace abut
 
       const BodySolution &solution_;
       const Space &space_;
-      const Material material_;
+      const CellMaterials materials_;
       const StressField field_;
       const BoundaryTraction boundary_;
       const unsigned int degree_;

@@ -207,6 +207,11 @@ namespace abut
     return compare(solution, better);
   }
 
+  void SPRIndicator::check(const Body &body) const
+  {
+    check_one_material(body, "spr");
+  }
+
   namespace
   {
     EstimatorEntry spr_entry()

@@ -66,6 +66,11 @@ namespace abut
     return compare(solution, better);
   }
 
+  void ZZIndicator::check(const Body &body) const
+  {
+    check_one_material(body, "zz");
+  }
+
   namespace
   {
     EstimatorEntry zz_entry()

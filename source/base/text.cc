@@ -33,6 +33,14 @@ namespace abut
     return pieces;
   }
 
+  std::string name_of_sides(const std::string &text)
+  {
+    std::string name;
+    for (const std::string &side : split_outside_parentheses(text, '+'))
+      name += (name.empty() ? "" : " + ") + side;
+    return name;
+  }
+
   std::string one_line(const dealii::ExceptionBase &exception)
   {
     std::stringstream words;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/directions.h>
+#include <abut/base/plane_geometry.h>
 #include <abut/base/user_error.h>
 #include <abut/bem/boundary_problem.h>
-#include <abut/trace/plane_geometry.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/lagrange_basis.h>
 #include <abut/bem/galerkin_rule.h>
 #include <abut/bem/legendre_moments.h>
-#include <abut/trace/lagrange_basis.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/lagrange_basis.h>
 #include <abut/bem/near_pairs.h>
-#include <abut/trace/lagrange_basis.h>
 
 #include <deal.II/base/exceptions.h>
 

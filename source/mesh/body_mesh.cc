@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/text.h>
 #include <abut/base/user_error.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/mesh/jacobians.h>
+#include <abut/mesh/mesh_checks.h>
 #include <abut/mesh/raw_mesh.h>
 #include <abut/scene/shape_entry.h>
 
@@ -10,13 +12,19 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <sstream>
+
 namespace abut
 {
   namespace
   {
     RawMesh own_mesh(const ShapeEntry &shape, const BodyDescription &body)
     {
-      if (shape.reads_file)
+      if (shape.makes_cells)
         return shape.make(body);
       if (body.cells[0] == 0 || body.cells[1] == 0)
         throw UserError("Body " + body.name + "/Cells: " + std::to_string(body.cells[0]) + ", " +
@@ -32,6 +40,11 @@ namespace abut
     {
       for (Vector2 &vertex : mesh.vertices)
         vertex = placement.point_to_world(vertex);
+      for (auto &edge : mesh.boundary_edges)
+        for (Vector2 &point : edge.curve)
+          point = placement.point_to_world(point);
+      for (auto &[side, facets] : mesh.facets)
+        facets.height = placement.length_to_world(facets.height);
       if (placement.is_mirrored())
         turn_cells_over(mesh);
     }
@@ -47,12 +60,14 @@ namespace abut
       {
         cells.emplace_back(static_cast<unsigned int>(cell.size()));
         cells.back().vertices = cell;
+        if (!mesh.cell_materials.empty())
+          cells.back().material_id = mesh.cell_materials[cells.size() - 1];
       }
       if (mesh.cell_type == CellType::quadrilaterals)
         dealii::GridTools::consistently_order_cells(cells);
 
       dealii::SubCellData edges;
-      for (const auto &[ends, side] : mesh.boundary_edges)
+      for (const auto &[ends, side, curve, material] : mesh.boundary_edges)
       {
         edges.boundary_lines.emplace_back(2);
         edges.boundary_lines.back().vertices.assign(ends.begin(), ends.end());
@@ -60,13 +75,44 @@ namespace abut
       }
       triangulation.create_triangulation(vertices, cells, edges);
     }
+
+    bool has_curves(const RawMesh &mesh)
+    {
+      return std::any_of(mesh.boundary_edges.begin(), mesh.boundary_edges.end(),
+                         [](const auto &edge) { return !edge.curve.empty(); });
+    }
+
+    /// Lets refined meshes follow the curves of the edges.
+    void attach_charts(BodyMesh &mesh, const RawMesh &raw)
+    {
+      mesh.charts = std::make_unique<CellCharts>(mesh.triangulation, raw.boundary_edges);
+      mesh.triangulation.signals.post_refinement.connect(
+          [&mesh]() { mesh.charts->place_vertices(mesh.triangulation); });
+    }
   } // namespace
 
   std::unique_ptr<dealii::Mapping<2, 2>> BodyMesh::mapping(const unsigned int degree) const
   {
+    if (charts)
+      return charts->mapping(cell_type == CellType::triangles, degree);
     if (cell_type == CellType::triangles)
       return std::make_unique<dealii::MappingFE<2>>(dealii::FE_SimplexP<2>(1));
     return std::make_unique<dealii::MappingQ<2>>(curved ? degree : 1);
+  }
+
+  std::function<Vector2(const BodyMesh::Cell &, const dealii::Point<2> &)>
+  BodyMesh::geometry(const unsigned int degree) const
+  {
+    if (charts)
+      return [this](const Cell &cell, const dealii::Point<2> &unit) {
+        const dealii::Point<2> p = charts->points(cell, {unit}).front();
+        return Vector2(p[0], p[1]);
+      };
+    return [shared = std::shared_ptr<dealii::Mapping<2>>(mapping(degree))](const Cell &cell,
+                                                                           const dealii::Point<2> &unit) {
+      const dealii::Point<2> p = shared->transform_unit_to_real_cell(cell, unit);
+      return Vector2(p[0], p[1]);
+    };
   }
 
   std::unique_ptr<BodyMesh> make_mesh(const BodyDescription &body)
@@ -82,16 +128,48 @@ namespace abut
     auto mesh = std::make_unique<BodyMesh>();
     mesh->name = body.name;
     mesh->cell_type = raw.cell_type;
-    mesh->curved = shape.has_curves && raw.cell_type == CellType::quadrilaterals;
     mesh->boundaries.insert(raw.sides.begin(), raw.sides.end());
+    mesh->warnings = raw.warnings;
+    mesh->facets = raw.facets;
     create_triangulation(mesh->triangulation, raw);
-    if (mesh->curved)
-    {
+    const bool has_manifold = shape.has_curves && raw.cell_type == CellType::quadrilaterals;
+    mesh->curved = has_manifold || has_curves(raw);
+    if (has_manifold)
       shape.attach_curves(mesh->triangulation, body);
+    else if (mesh->curved)
+      attach_charts(*mesh, raw);
+    if (mesh->curved)
       check_jacobians(mesh->triangulation, *mesh->mapping(body.degree), body.degree, "Body " + body.name);
-    }
     return mesh;
   }
+
+  namespace
+  {
+    /// ` from (0, 1) to (2, 1)`; where a side closes on itself, a place on it.
+    std::string place_of(const dealii::types::boundary_id side, const BodyMesh &mesh)
+    {
+      std::map<unsigned int, unsigned int> n_edges_at;
+      for (const auto &face : mesh.triangulation.active_face_iterators())
+        if (face->at_boundary() && face->boundary_id() == side)
+          for (const unsigned int v : {0, 1})
+            ++n_edges_at[face->vertex_index(v)];
+      std::vector<unsigned int> ends;
+      for (const auto &[vertex, n] : n_edges_at)
+        if (n == 1)
+          ends.push_back(vertex);
+      std::ostringstream text;
+      const auto tell = [&](const std::string &word, const unsigned int vertex) {
+        const dealii::Point<2> &point = mesh.triangulation.get_vertices()[vertex];
+        const auto rounded = [&](const double x) { return std::abs(x) < 1e-12 * point.norm() ? 0. : x; };
+        text << ' ' << word << " (" << rounded(point[0]) << ", " << rounded(point[1]) << ')';
+      };
+      if (ends.empty() && !n_edges_at.empty())
+        tell("through", n_edges_at.begin()->first);
+      for (std::size_t i = 0; i < ends.size(); ++i)
+        tell(i == 0 ? "from" : i % 2 == 1 ? "to" : "and from", ends[i]);
+      return text.str();
+    }
+  } // namespace
 
   dealii::types::boundary_id boundary_id(const BodyMesh &mesh, const std::string &side)
   {
@@ -99,9 +177,55 @@ namespace abut
     if (found != mesh.boundaries.end())
       return found->second;
 
-    std::string message = "Body " + mesh.name + " has no side '" + side + "'; its sides are ";
-    for (auto it = mesh.boundaries.begin(); it != mesh.boundaries.end(); ++it)
-      message += (it == mesh.boundaries.begin() ? "" : ", ") + it->first;
-    throw UserError(message);
+    std::map<dealii::types::boundary_id, std::string> names; // 7 (bore)
+    for (const auto &[name, id] : mesh.boundaries)
+      names[id] += names[id].empty() ? name : " (" + name + ")";
+    std::string all;
+    for (const auto &[id, name] : names)
+      all += (all.empty() ? "" : ", ") + name + (mesh.facets.empty() ? "" : place_of(id, mesh));
+    throw UserError("Body " + mesh.name + " has no side '" + side + "'; its sides are " + all);
+  }
+
+  namespace
+  {
+    SideFacets together(const SideFacets &a, const SideFacets &b)
+    {
+      SideFacets both = a;
+      both.n_edges += b.n_edges;
+      both.largest_kink = std::max(a.largest_kink, b.largest_kink);
+      both.height = std::max(a.height, b.height);
+      both.n_blunt_corners += b.n_blunt_corners;
+      return both;
+    }
+
+    void rename(BodyMesh &mesh, const dealii::types::boundary_id from, const dealii::types::boundary_id to)
+    {
+      for (const auto &face : mesh.triangulation.active_face_iterators())
+        if (face->at_boundary() && face->boundary_id() == from)
+          face->set_boundary_id(to);
+      for (auto name = mesh.boundaries.begin(); name != mesh.boundaries.end();)
+        name = name->second == from ? mesh.boundaries.erase(name) : std::next(name);
+      if (const auto facets = mesh.facets.find(from); facets != mesh.facets.end() && from != to)
+      {
+        mesh.facets[to] = together(mesh.facets[to], facets->second);
+        mesh.facets.erase(facets);
+      }
+    }
+  } // namespace
+
+  void unite_sides(BodyMesh &mesh, const std::string &name)
+  {
+    if (mesh.boundaries.count(name) > 0)
+      return;
+    const std::vector<std::string> parts = split_outside_parentheses(name, '+');
+    if (parts.size() == 1)
+      return;
+    std::set<dealii::types::boundary_id> ids;
+    for (const std::string &part : parts)
+      if (!ids.insert(boundary_id(mesh, part)).second)
+        throw UserError("Body " + mesh.name + ": the side `" + name + "` has `" + part + "` twice");
+    for (const auto id : ids)
+      rename(mesh, id, *ids.begin());
+    mesh.boundaries[name] = *ids.begin();
   }
 } // namespace abut

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/user_error.h>
 #include <abut/mesh/raw_mesh.h>
 
 #include <deal.II/base/exceptions.h>
 
-#include <sstream>
 #include <utility>
 
 namespace abut
@@ -59,11 +57,13 @@ namespace abut
     const unsigned int seam_id = mesh.sides.at(seam);
     result.sides.erase(seam);
     result.boundary_edges.clear();
-    for (const auto &[ends, side] : mesh.boundary_edges)
-      if (side != seam_id)
+    for (const RawMesh::BoundaryEdge &edge : mesh.boundary_edges)
+      if (edge.side != seam_id)
       {
-        result.boundary_edges.push_back({ends, side});
-        result.boundary_edges.push_back({{{image_index[ends[0]], image_index[ends[1]]}}, side});
+        Assert(edge.curve.empty(), dealii::ExcMessage("built-in shapes have their curves by manifolds"));
+        result.boundary_edges.push_back(edge);
+        result.boundary_edges.push_back(
+            {{{image_index[edge.vertices[0]], image_index[edge.vertices[1]]}}, edge.side});
       }
     return result;
   }
@@ -81,44 +81,5 @@ namespace abut
       result.cells.push_back({cell[0], cell[3], cell[2]});
     }
     return result;
-  }
-
-  namespace
-  {
-    /// Vertices of a cell, in the order in which they are met on the way around it.
-    std::vector<unsigned int> counter_clockwise(const std::vector<unsigned int> &cell)
-    {
-      return cell.size() == 4 ? std::vector<unsigned int>{cell[0], cell[1], cell[3], cell[2]} : cell;
-    }
-
-    bool is_convex(const RawMesh &mesh, const std::vector<unsigned int> &cell)
-    {
-      constexpr double smallest_angle = 1e-10; // as a sine: below, rounding decides
-      const auto around = counter_clockwise(cell);
-      const std::size_t n = around.size();
-      for (std::size_t i = 0; i < n; ++i)
-      {
-        const Vector2 &corner = mesh.vertices[around[i]];
-        const Vector2 next = mesh.vertices[around[(i + 1) % n]] - corner;
-        const Vector2 previous = mesh.vertices[around[(i + n - 1) % n]] - corner;
-        const double area = next.x() * previous.y() - next.y() * previous.x();
-        if (!(area > smallest_angle * next.norm() * previous.norm()))
-          return false;
-      }
-      return true;
-    }
-  } // namespace
-
-  void check_cells(const RawMesh &mesh, const std::string &where)
-  {
-    for (const auto &cell : mesh.cells)
-      if (!is_convex(mesh, cell))
-      {
-        std::ostringstream message;
-        message << where << ": a cell with a corner at (" << mesh.vertices[cell[0]].x() << ", "
-                << mesh.vertices[cell[0]].y()
-                << ") is too distorted (all its angles must be between 0 and 180 degrees)";
-        throw UserError(message.str());
-      }
   }
 } // namespace abut

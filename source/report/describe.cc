@@ -25,6 +25,14 @@ namespace abut
         out << "  its mesh follows the estimated error\n";
     }
 
+    void describe_facets(const Body &body, const std::string &side, std::ostream &out)
+    {
+      if (const auto facets = body.facets(side))
+        out << "  " << body.name() << ':' << side << ": " << facets->n_edges << " edges, turning by up to "
+            << facets->largest_kink << " degrees, up to " << facets->height << " off their curve, "
+            << (facets->followed ? "which is followed" : "taken as meshed") << '\n';
+    }
+
     void describe_pair(const ContactPair &pair, const ContactDescription &description, std::ostream &out)
     {
       const Eigen::Index n_parts = (pair.weights().array() > 0.).count();
@@ -48,7 +56,13 @@ namespace abut
     for (const auto &body : simulation.bodies())
       describe_body(*body, out);
     for (std::size_t i = 0; i < simulation.pairs().size(); ++i)
-      describe_pair(*simulation.pairs()[i], simulation.scene().contacts[i], out);
+    {
+      const ContactPair &pair = *simulation.pairs()[i];
+      const ContactDescription &description = simulation.scene().contacts[i];
+      describe_pair(pair, description, out);
+      describe_facets(*simulation.bodies()[pair.slave().body], description.slave.boundary, out);
+      describe_facets(*simulation.bodies()[pair.master().body], description.master.boundary, out);
+    }
     out << "In all: " << simulation.bodies().size() << " bodies, " << simulation.pairs().size()
         << " contacts, " << simulation.counts().dofs << " unknowns\n";
   }

@@ -48,7 +48,8 @@ namespace abut
     const auto position =
         static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side.boundary) - sides.begin());
     const Body &body = *bodies_[index];
-    return {index, position, body.contact_sides()[position], body.material(), body.contact_depth(position)};
+    return {index, position, body.contact_sides()[position], body.material_behind(position),
+            body.contact_depth(position)};
   }
 
   PairInput Model::pair_input(const std::size_t index) const

@@ -9,15 +9,16 @@
 
 namespace abut
 {
-  Simulation::Simulation(const Scene &scene) : scene_(scene)
+  Simulation::Simulation(const Scene &scene)
+      : completed_(with_found_contacts(scene)), scene_(completed_ ? *completed_ : scene)
   {
     {
       const Stopwatch watch(construction_.reference);
-      exact_ = make_exact_solution(scene);
+      exact_ = make_exact_solution(scene_);
     }
     const Stopwatch watch(construction_.mesh);
-    model_ = std::make_unique<Model>(scene, exact_.get());
-    indicator_ = make_indicator(scene.adaptation);
+    model_ = std::make_unique<Model>(scene_, exact_.get());
+    indicator_ = make_indicator(scene_.adaptation);
     if (indicator_)
       for (const auto &body : bodies())
         indicator_->check(*body);

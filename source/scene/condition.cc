@@ -49,17 +49,6 @@ namespace abut
                           "` depends on x or y, allowed are numbers and constants");
     }
 
-    Vector2 parse_point(const std::string &text, const Constants &constants, const std::string &where)
-    {
-      const auto coordinates = text.back() == ')'
-                                   ? split_outside_parentheses(text.substr(1, text.size() - 2), ',')
-                                   : std::vector<std::string>();
-      if (coordinates.size() != 2)
-        throw UserError(where + ": received the point `" + text + "`, a point is written (x, y)");
-      return {constant_value(coordinates[0], constants, where),
-              constant_value(coordinates[1], constants, where)};
-    }
-
     void parse_expressions(const std::string &text, const Constants &constants, const std::string &where,
                            Condition &condition)
     {
@@ -86,6 +75,8 @@ namespace abut
 
       Condition condition;
       condition.boundary = trim(text.substr(0, first));
+      if (condition.boundary.empty() || condition.boundary.front() != '(')
+        condition.boundary = name_of_sides(condition.boundary);
       if (condition.boundary.empty())
         throw UserError(where + ": received `" + text + "`, which names no boundary before its first colon");
       const std::string here = where + ": " + condition.boundary;
@@ -93,7 +84,7 @@ namespace abut
       parse_expressions(trim(text.substr(second + 1)), constants, here, condition);
       if (condition.boundary.front() == '(')
       {
-        condition.point = parse_point(condition.boundary, constants, where);
+        condition.point = constant_point(condition.boundary, constants, where);
         if (!is_displacement(condition.kind))
           throw UserError(here + ": received `" + to_string(condition.kind) +
                           "` at a point, allowed are displacement, displacement x, displacement y");

@@ -13,7 +13,7 @@ namespace abut
       const auto colon = text.find(':');
       Side side;
       if (colon != std::string::npos)
-        side = {trim(text.substr(0, colon)), trim(text.substr(colon + 1))};
+        side = {trim(text.substr(0, colon)), name_of_sides(trim(text.substr(colon + 1)))};
       if (side.body.empty() || side.boundary.empty())
         throw UserError(where + ": received `" + text + "`, a side is written body:id");
       return side;

@@ -99,4 +99,15 @@ namespace abut
                       "` depends on x or y, allowed are numbers and constants");
     return expression(Vector2::Zero());
   }
+
+  Vector2 constant_point(const std::string &text, const Constants &constants, const std::string &where)
+  {
+    const auto coordinates = text.back() == ')'
+                                 ? split_outside_parentheses(text.substr(1, text.size() - 2), ',')
+                                 : std::vector<std::string>();
+    if (coordinates.size() != 2)
+      throw UserError(where + ": received the point `" + text + "`, a point is written (x, y)");
+    return {constant_value(coordinates[0], constants, where),
+            constant_value(coordinates[1], constants, where)};
+  }
 } // namespace abut

@@ -52,8 +52,18 @@ namespace abut
     namespace Patterns = dealii::Patterns;
     prm.declare_entry("Bodies", "", Patterns::List(Patterns::Anything()),
                       "Names of the bodies, separated by commas; each has a section `Body <name>`.");
-    prm.declare_entry("Contacts", "", Patterns::List(Patterns::Anything()),
-                      "Names of the pairs of sides that may touch; each has a section `Contact <name>`.");
+    prm.declare_entry(
+        "Contacts", "", Patterns::List(Patterns::Anything()),
+        "Names of the pairs of sides that may touch; each has a section `Contact <name>`. Or automatic: "
+        "all sides of two bodies that face each other within Contact distance, without sections of "
+        "their own; --check lists them.");
+    prm.declare_entry(
+        "Contact distance", "0", Patterns::Double(0.),
+        "How near sides have to be for Contacts = automatic. Length. 0: a hundredth of the smallest "
+        "body.");
+    prm.declare_entry("Materials", "", Patterns::List(Patterns::Anything()),
+                      "Names of materials for regions of bodies (Body <name>/Regions); each has a section "
+                      "`Material <name>`.");
   }
 
   void Preamble::declare_constants(dealii::ParameterHandler &prm)
@@ -71,11 +81,16 @@ namespace abut
     sections.parse("", [&](const dealii::ParameterHandler &prm) {
       preamble.bodies = dealii::Utilities::split_string_list(prm.get("Bodies"));
       preamble.contacts = dealii::Utilities::split_string_list(prm.get("Contacts"));
+      preamble.finds_contacts = preamble.contacts == std::vector<std::string>{"automatic"};
+      if (preamble.finds_contacts)
+        preamble.contacts.clear();
+      preamble.materials = dealii::Utilities::split_string_list(prm.get("Materials"));
     });
     if (preamble.bodies.empty())
       throw UserError("Bodies: received an empty list, a scene needs at least one name");
     check_names(preamble.bodies, "Bodies");
     check_names(preamble.contacts, "Contacts");
+    check_names(preamble.materials, "Materials");
     preamble.constants = sections.parse("Constants", parse_constants);
     return preamble;
   }

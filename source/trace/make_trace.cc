@@ -110,11 +110,11 @@ namespace abut
     }
   } // namespace
 
-  Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const dealii::Mapping<2> &geometry_mapping,
+  Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const CellGeometry &geometry,
                    const unsigned int geometry_degree, const dealii::types::boundary_id boundary)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
-    const LagrangeBasis geometry(geometry_degree);
+    const LagrangeBasis geometry_basis(geometry_degree);
     std::vector<Segment> segments;
     std::vector<std::array<unsigned int, 2>> node_dofs;
     std::map<unsigned int, unsigned int> node_of_dof;
@@ -122,11 +122,10 @@ namespace abut
     {
       Segment segment;
       segment.cell = edge.cell->active_cell_index();
-      for (const double s : geometry.nodes())
+      for (const double s : geometry_basis.nodes())
       {
-        const auto p = geometry_mapping.transform_unit_to_real_cell(
-            edge.cell, dealii::Point<2>(edge.unit_start + s * (edge.unit_end - edge.unit_start)));
-        segment.points.emplace_back(p[0], p[1]);
+        segment.points.push_back(
+            geometry(edge.cell, dealii::Point<2>(edge.unit_start + s * (edge.unit_end - edge.unit_start))));
       }
       const std::vector<FaceDof> dofs = face_dofs(edge);
       AssertDimension(dofs.size(), 2 * (degree + 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/plane_geometry.h>
 #include <abut/trace/normal_weight.h>
-#include <abut/trace/plane_geometry.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/trace/plane_geometry.h>
+#include <abut/base/plane_geometry.h>
 #include <abut/trace/trace.h>
 
 #include <deal.II/base/exceptions.h>

@@ -18,17 +18,12 @@ namespace
   using abut::testing::read_file;
   using abut::testing::run;
   using abut::testing::run_scene;
+  using abut::testing::with;
   using Overrides = std::vector<std::string>;
 
   const std::string fe_be = "Adaptation/Estimator=fe-be";
   const Overrides one_coarse_pass = {"Body upper/Cells=16, 4", "Body lower/Cells=16, 4",
                                      "Adaptation/Maximum passes=1"};
-
-  Overrides with(Overrides overrides, const Overrides &more)
-  {
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return overrides;
-  }
 
   double sum_over_passes(const Answer &answer, const std::string &key)
   {

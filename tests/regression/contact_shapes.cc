@@ -23,11 +23,6 @@ namespace
     return "subsection Contact " + name + "\n set Slave = " + slave + "\n set Master = " + master + "\nend\n";
   }
 
-  Answer run_text(const std::string &text)
-  {
-    return run({temporary_file("scene.prm", text)});
-  }
-
   double normal_force_of(const Answer &answer, const std::string &name)
   {
     return contact(answer, name)["normal_force"].get<double>();

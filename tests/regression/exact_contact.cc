@@ -40,7 +40,7 @@ namespace
 
 namespace
 {
-  struct Materials
+  struct LayerMaterials
   {
     std::string scene;
     Layer::Base base;
@@ -49,7 +49,7 @@ namespace
 
   /// Force, peak, pressure and complementarity of exact contact on Q1 meshes of 96 x 24 and 128 x 32, against
   /// the series; the softer body is the slave.
-  void expect_series(const Materials &m)
+  void expect_series(const LayerMaterials &m)
   {
     SCOPED_TRACE(m.scene + ' ' + std::to_string(m.lower_modulus));
     const Answer answer =
@@ -82,7 +82,7 @@ namespace
 
 TEST(ExactContact, NonmatchingMeshes)
 {
-  const Materials steel{"two-layers-rollers", Layer::Base::sliding, 2.1e5, .3};
+  const LayerMaterials steel{"two-layers-rollers", Layer::Base::sliding, 2.1e5, .3};
   const LayersContact exact({{{{2.1e5, .3, 1.}, {2.1e5, .3, 1.}}}, 4., 1e-3, 1.366e-3});
   EXPECT_NEAR(exact.force(), 133.8364523567, 1e-7); // as computed independently
   EXPECT_NEAR(exact.pressure(0.), 172.0703323845, 1e-7);

@@ -72,9 +72,9 @@ namespace abut::testing
 
   namespace
   {
-    Answer run_file(const std::string &name, const std::vector<std::string> &overrides)
+    Answer run_file(const std::string &path, const std::vector<std::string> &overrides)
     {
-      std::vector<std::string> arguments = {project_file(name)};
+      std::vector<std::string> arguments = {path};
       for (const std::string &override : overrides)
         arguments.insert(arguments.end(), {"--set", override});
       return run(arguments);
@@ -83,12 +83,23 @@ namespace abut::testing
 
   Answer run_scene(const std::string &scene, const std::vector<std::string> &overrides)
   {
-    return run_file("prm/" + scene + ".prm", overrides);
+    return run_file(project_file("prm/" + scene + ".prm"), overrides);
   }
 
   Answer run_case(const std::string &name, const std::vector<std::string> &overrides)
   {
-    return run_file("tests/data/cases/" + name + ".prm", overrides);
+    return run_file(project_file("tests/data/cases/" + name + ".prm"), overrides);
+  }
+
+  Answer run_text(const std::string &text, const std::vector<std::string> &overrides)
+  {
+    return run_file(temporary_file("scene.prm", text), overrides);
+  }
+
+  std::vector<std::string> with(std::vector<std::string> overrides, const std::vector<std::string> &more)
+  {
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return overrides;
   }
 
   void expect_refused(const Answer &answer, const std::vector<std::string> &phrases)

@@ -27,6 +27,12 @@ namespace abut::testing
   /// The same for an input of the folder `tests/data/cases`.
   Answer run_case(const std::string &name, const std::vector<std::string> &overrides = {});
 
+  /// Runs a scene given as the text of its file.
+  Answer run_text(const std::string &text, const std::vector<std::string> &overrides = {});
+
+  /// Two lists of overrides, one after the other.
+  std::vector<std::string> with(std::vector<std::string> overrides, const std::vector<std::string> &more);
+
   /// A refusal as it should be: status 1, one line that contains all phrases, nothing written.
   void expect_refused(const Answer &answer, const std::vector<std::string> &phrases);
 

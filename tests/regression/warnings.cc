@@ -3,7 +3,7 @@
 // What the program says where its model or its mesh ends: each warning has a scene that triggers it and a
 // neighbour that does not; both are told by the code.
 
-#include <abut/results/warning.h>
+#include <abut/base/warning.h>
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ namespace
                     stiff_slave = "tests/data/cases/stiff-slave.prm",
                     fine_slave = "tests/data/cases/fine-slave.prm",
                     corner_on_face = "tests/data/cases/corner-on-face-tilted.prm",
-                    patch = "prm/patch-test.prm";
+                    press_fit = "tests/data/cases/press-fit.prm", patch = "prm/patch-test.prm";
 
   /// Two layers, pressed uniformly: without a penalty the strain is half of the approach.
   SceneRun pressed(const std::string &approach)
@@ -97,6 +97,12 @@ namespace
        moved("0.9", coarse_cells)}, // a tenth of the side
       {"side-leaves-master", moved("20.5"), moved("19.5")},
       {"side-leaves-master", moved("-0.3"), moved("-0.2")}, // beyond the middle of the last part
+      {"facets",
+       {press_fit, {"Body ring/Boundary curve=as meshed", "Contact fit/Gap=geometry"}},
+       {press_fit, {"Body ring/Boundary curve=as meshed", "Contact fit/Gap=-0.0025"}}},
+      {"coarse-curve",
+       {press_fit, {"Body ring/Corner angle=3.9"}},
+       {press_fit, {"Body ring/Corner angle=4"}}},
       {"nothing-touches", {never_touches, {}}, {never_touches, {"Body steel/Shift=0, 20"}}},
       {"narrow-contact",
        {v_groove_slave, {}},
@@ -213,8 +219,8 @@ namespace
 
   TEST(Warnings, EveryCodeHasItsNeighbours)
   {
-    // hidden-pair: contact_shapes.cc; repeated-parameter: above.
-    std::set<std::string> tested = {"hidden-pair", "repeated-parameter"};
+    // hidden-pair: contact_shapes.cc; repeated-parameter: above; of files: mesh_files.cc.
+    std::set<std::string> tested = {"hidden-pair", "repeated-parameter", "cells-cut", "one-material"};
     for (const Neighbours &neighbours : all_neighbours)
       tested.insert(neighbours.code);
     for (const abut::WarningCode code : abut::all_warning_codes())

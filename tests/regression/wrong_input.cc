@@ -249,11 +249,12 @@ end
                    {"Body lower", "degree 3", "triangles"});
   }
 
-  TEST(WrongInput, MeshOfTrianglesAndQuadrilaterals)
+  TEST(WrongInput, MeshFileOfAnotherKind)
   {
-    const std::string mesh = project_file("tests/data/mixed_2_2.msh");
-    expect_refused(run({temporary_file("scene.prm", good_file), "--set", "Body lower/Mesh file=" + mesh}),
-                   {"mixed_2_2.msh"});
+    const std::string mesh = project_file("CMakeLists.txt");
+    expect_refused(
+        run({temporary_file("scene.prm", good_file), "--set", "Body lower/Mesh file=" + mesh}),
+        {"Body lower/Mesh file", "received a file with the ending `.txt`", "allowed are .msh, .geo"});
   }
 
   TEST(WrongInput, BodyWithNeitherSupportNorContact)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Integrals over pairs of elements against quadrature that knows no closed form.
-#include <abut/trace/lagrange_basis.h>
+#include <abut/base/lagrange_basis.h>
 
 #include <gtest/gtest.h>
 

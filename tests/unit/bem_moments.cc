@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Closed integrals of Legendre polynomials against the kernels on one element.
+#include <abut/base/lagrange_basis.h>
 #include <abut/bem/pair_integrals.h>
-#include <abut/trace/lagrange_basis.h>
 
 #include <gtest/gtest.h>
 

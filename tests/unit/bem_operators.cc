@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Boundary operators of plane strain against the real kernels and against what exact fields satisfy.
-#include <abut/trace/lagrange_basis.h>
+#include <abut/base/lagrange_basis.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

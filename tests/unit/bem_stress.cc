@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Interior stress of a single element with arbitrary values, against quadrature in extended precision.
+#include <abut/base/lagrange_basis.h>
 #include <abut/bem/interior_stress.h>
-#include <abut/trace/lagrange_basis.h>
 
 #include <gtest/gtest.h>
 

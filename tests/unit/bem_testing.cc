@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bem_testing.h"
 
-#include <abut/trace/lagrange_basis.h>
+#include <abut/base/lagrange_basis.h>
 
 #include <algorithm>
 

@@ -134,7 +134,8 @@ TEST(ElasticityProjection, StressDoesTheWorkOfTheStiffness)
         const FiniteElementBody body(description, {});
         if (degree == 1 && body.projects_divergence())
           continue;
-        const Eigen::SparseMatrix<double> stiffness = assemble_stiffness(body.space(), body.material());
+        const Eigen::SparseMatrix<double> stiffness =
+            assemble_stiffness(body.space(), CellMaterials(body.material()), body.projects_divergence());
         const Eigen::VectorXd u = interpolated(body.space(), [](const Vector2 &x) {
           return Vector2(std::sin(3. * x.x() * x.y()), std::cos(2. * x.x() + x.y()));
         });

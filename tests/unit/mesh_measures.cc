@@ -64,7 +64,7 @@ TEST(MeshMeasures, UnknownSidesAreRefusedWithTheKnownOnes)
 {
   const auto mesh = make_mesh(make_body("quarter disc", {1.}, {{2, 1}}));
   EXPECT_NO_THROW(boundary_id(*mesh, "outer"));
-  expect_refused([&] { boundary_id(*mesh, "top"); }, "'top'; its sides are bottom, left, outer");
+  expect_refused([&] { boundary_id(*mesh, "top"); }, "'top'; its sides are outer, left, bottom");
 }
 
 TEST(MeshMeasures, DepthOfShapes)

@@ -12,21 +12,38 @@ namespace abut
   namespace
   {
     constexpr unsigned int quadrature_points = 8;
-  }
+
+    bool has_triangles(const BodyMesh &mesh)
+    {
+      return mesh.cell_type == CellType::triangles;
+    }
+
+    dealii::ReferenceCell reference_of(const BodyMesh &mesh)
+    {
+      return has_triangles(mesh) ? dealii::ReferenceCells::Triangle : dealii::ReferenceCells::Quadrilateral;
+    }
+
+    dealii::Quadrature<2> lattice(const BodyMesh &mesh, const unsigned int n)
+    {
+      if (!has_triangles(mesh))
+        return dealii::QIterated<2>(dealii::QTrapezoid<1>(), n);
+      std::vector<dealii::Point<2>> points;
+      for (unsigned int i = 0; i <= n; ++i)
+        for (unsigned int j = 0; i + j <= n; ++j)
+          points.emplace_back(double(i) / n, double(j) / n);
+      return dealii::Quadrature<2>(points);
+    }
+  } // namespace
 
   double area(const BodyMesh &mesh, const unsigned int degree)
   {
-    double sum = 0.;
-    if (mesh.cell_type == CellType::triangles)
-    {
-      for (const auto &cell : mesh.triangulation.active_cell_iterators())
-        sum += cell->measure();
-      return sum;
-    }
     const auto mapping = mesh.mapping(degree);
-    const dealii::FE_Nothing<2> nothing;
-    dealii::FEValues<2> values(*mapping, nothing, dealii::QGauss<2>(quadrature_points),
-                               dealii::update_JxW_values);
+    const dealii::FE_Nothing<2> nothing(reference_of(mesh));
+    const dealii::Quadrature<2> rule = has_triangles(mesh)
+                                           ? dealii::Quadrature<2>(dealii::QGaussSimplex<2>(4))
+                                           : dealii::Quadrature<2>(dealii::QGauss<2>(quadrature_points));
+    dealii::FEValues<2> values(*mapping, nothing, rule, dealii::update_JxW_values);
+    double sum = 0.;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
     {
       values.reinit(cell);
@@ -40,7 +57,7 @@ namespace abut
   {
     const auto id = boundary_id(mesh, side);
     const auto mapping = mesh.mapping(degree);
-    const dealii::FE_Nothing<2> nothing;
+    const dealii::FE_Nothing<2> nothing(reference_of(mesh));
     dealii::FEFaceValues<2> values(*mapping, nothing, dealii::QGauss<1>(quadrature_points),
                                    dealii::update_JxW_values);
     double sum = 0.;
@@ -48,11 +65,6 @@ namespace abut
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f) && cell->face(f)->boundary_id() == id)
         {
-          if (mesh.cell_type == CellType::triangles)
-          {
-            sum += cell->face(f)->measure();
-            continue;
-          }
           values.reinit(cell, f);
           for (const double weight : values.get_JxW_values())
             sum += weight;
@@ -63,9 +75,8 @@ namespace abut
   double smallest_jacobian(const BodyMesh &mesh, const unsigned int degree)
   {
     const auto mapping = mesh.mapping(degree);
-    const dealii::FE_Nothing<2> nothing;
-    dealii::FEValues<2> values(*mapping, nothing, dealii::QIterated<2>(dealii::QTrapezoid<1>(), 12),
-                               dealii::update_jacobians);
+    const dealii::FE_Nothing<2> nothing(reference_of(mesh));
+    dealii::FEValues<2> values(*mapping, nothing, lattice(mesh, 12), dealii::update_jacobians);
     double smallest = std::numeric_limits<double>::infinity();
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
     {

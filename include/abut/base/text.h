@@ -22,6 +22,9 @@ namespace abut
   /// piece.
   std::vector<std::string> split_outside_parentheses(const std::string &text, char separator);
 
+  /// The name of sides taken together, `a+b`, with one blank on both sides of every plus.
+  std::string name_of_sides(const std::string &text);
+
   /// What deal.II has to say, in one line and without its final full stop.
   std::string one_line(const dealii::ExceptionBase &exception);
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <abut/base/counts.h>
+#include <abut/base/warning.h>
 #include <abut/bodies/cells.h>
 #include <abut/bodies/reactions.h>
 #include <abut/bodies/trace_body.h>
 #include <abut/mesh/cell_marks.h>
 #include <abut/mesh/quality.h>
+#include <abut/mesh/side_facets.h>
 #include <abut/scene/body_description.h>
 
 #include <iosfwd>
@@ -47,6 +49,7 @@ namespace abut
     // What it is.
     const std::string &name() const override { return description_.name; }
     const BodyDescription &description() const { return description_; }
+    /// Of the body but for its regions of another material.
     Material material() const { return {description_.young_modulus, description_.poisson_ratio}; }
     /// The side that carries a given force, where there is one.
     virtual const std::optional<Resultant> &resultant() const = 0;
@@ -55,11 +58,19 @@ namespace abut
     virtual bool is_supported() const = 0;
     /// H_a of the penalty and of the elastic layer for a contact side (world length).
     virtual double contact_depth(std::size_t side) const = 0;
+    /// Of the body behind a contact side; the softest one there.
+    virtual Material material_behind(std::size_t side) const = 0;
     virtual LostLoad lost_load(const std::string &side) const = 0;
     /// One line, or more, on its discretisation: `64 quadrilaterals of degree 1, 150 unknowns`.
     virtual void describe(std::ostream &out) const = 0;
+    /// What the user should hear of the mesh it began with.
+    virtual const std::vector<Warning> &mesh_warnings() const = 0;
+    /// How straight edges stood for the curve of a side in that mesh; none where it was no mesh file's.
+    virtual std::optional<SideFacets> facets(const std::string &side) const = 0;
     virtual Counts counts() const = 0;
     virtual BodyCounters counters() const = 0;
+
+    bool has_one_material() const { return description_.regions.empty(); }
 
     // Its mesh.
     /// Changes whenever the mesh does, and with it the unknowns.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/mesh/cell_charts.h>
 #include <abut/scene/body_description.h>
 
 #include <deal.II/grid/tria.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -21,16 +23,27 @@ namespace abut
   {
     std::string name; ///< of the body
     CellType cell_type = CellType::quadrilaterals;
-    /// Some sides follow curves: never those of triangles and of mesh files, whose sides are polygons.
+    /// Some sides follow curves: never those of triangles in built-in shapes, whose sides are polygons.
     bool curved = false;
-    /// The sides and their boundary ids; sides of a mesh file are called by their physical id, e.g. "7". They
-    /// keep the names they have in the body's own frame, however it is turned or mirrored.
+    /// The sides and their boundary ids; sides of a mesh file are called by their physical id, e.g. "7", and
+    /// by their physical name. They keep the names they have in the body's own frame, however it is turned or
+    /// mirrored.
     std::map<std::string, dealii::types::boundary_id> boundaries;
-    /// In world coordinates. Its manifolds keep refined meshes on curved sides.
+    std::vector<Warning> warnings;             ///< what the user should hear of it
+    std::map<unsigned int, SideFacets> facets; ///< of the sides of a mesh file; heights in world lengths
+    /// In world coordinates. Its manifolds, or the charts, keep refined meshes on curved sides.
     dealii::Triangulation<2> triangulation;
+    std::unique_ptr<CellCharts> charts; ///< of curved meshes from files
 
-    /// Polynomials of the given degree on curved quadrilaterals; straight cells need and get no more than 1.
+    /// Polynomials of the given degree on curved cells (triangles: 1 or 2); straight cells need and get no
+    /// more than 1.
     std::unique_ptr<dealii::Mapping<2, 2>> mapping(unsigned int degree) const;
+
+    using Cell = dealii::Triangulation<2, 2>::cell_iterator;
+    /// Where points of a cell's reference cell lie: on curves where the body has them, or next to them by
+    /// polynomials of the given degree.
+    std::function<Vector2(const Cell &cell, const dealii::Point<2> &unit)>
+    geometry(unsigned int degree) const;
   };
 
   /**
@@ -41,6 +54,11 @@ namespace abut
 
   /// The id of a side. Throws UserError with the names of the body's sides.
   dealii::types::boundary_id boundary_id(const BodyMesh &mesh, const std::string &side);
+
+  /// Makes one side, with the name `a + b`, of sides that are taken together; they lose their own names. A
+  /// name without a plus, or of a side, changes nothing. Throws UserError for a part that is no side any
+  /// more, or twice there.
+  void unite_sides(BodyMesh &mesh, const std::string &name);
 
   /**
    * H_a of the penalty parameter and of the elastic layer, in world lengths: the depth of the body behind a

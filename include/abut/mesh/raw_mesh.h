@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/warning.h>
 #include <abut/scene/body_description.h>
 
 #include <array>
@@ -11,6 +12,20 @@
 
 namespace abut
 {
+  /// How the straight edges of a side of a mesh file stand for a curve.
+  struct SideFacets
+  {
+    unsigned int n_edges = 0;
+    double largest_kink = 0.; ///< between edges, degrees
+    /// The largest distance between an edge and the curve behind it, whether that is followed or not. Length,
+    /// own frame.
+    double height = 0.;
+    bool followed = false; ///< refinement and gaps follow the curve
+    /// Corners that turn by less than 60 degrees with another such corner next to them: a round side in too
+    /// few edges looks like this.
+    unsigned int n_blunt_corners = 0;
+  };
+
   /**
    * A mesh as bare lists, before it becomes a triangulation. Vertices of a cell are in deal.II's order and
    * run counter-clockwise: a quadrilateral (0,0), (1,0), (0,1), (1,1), a triangle (0,0), (1,0), (0,1).
@@ -21,6 +36,10 @@ namespace abut
     {
       std::array<unsigned int, 2> vertices;
       unsigned int side;
+      /// The curve that it stands for: points at the Gauss-Lobatto nodes (LagrangeBasis) from the first
+      /// vertex to the last, both included. Empty: a straight line.
+      std::vector<Vector2> curve = {};
+      unsigned int material = 0; ///< of its cell, see CellMaterials
     };
 
     CellType cell_type = CellType::quadrilaterals;
@@ -28,6 +47,9 @@ namespace abut
     std::vector<std::vector<unsigned int>> cells;
     std::vector<BoundaryEdge> boundary_edges;
     std::map<std::string, unsigned int> sides; ///< names of the sides and their boundary ids
+    std::vector<unsigned int> cell_materials;  ///< see CellMaterials; empty: all 0
+    std::vector<Warning> warnings;             ///< what the user should hear of it
+    std::map<unsigned int, SideFacets> facets; ///< by boundary id; of mesh files
 
     /// Adds n[0] x n[1] quadrilaterals; index(i, j) is the vertex at column i, row j.
     void add_block(const std::array<unsigned int, 2> &n,
@@ -50,10 +72,4 @@ namespace abut
 
   /// Every quadrilateral cut in two along its diagonal from the first to the last vertex.
   RawMesh split_into_triangles(const RawMesh &quadrilaterals);
-
-  /**
-   * Refuses cells that have no area, are not convex or are wound the wrong way round (their straight image
-   * has a Jacobian <= 0 somewhere). `where` begins the message of the UserError.
-   */
-  void check_cells(const RawMesh &mesh, const std::string &where);
 } // namespace abut

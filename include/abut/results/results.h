@@ -3,6 +3,7 @@
 
 #include <abut/adaptation/indicator.h>
 #include <abut/base/counts.h>
+#include <abut/base/warning.h>
 #include <abut/bodies/body.h>
 #include <abut/contact/contact_surface.h>
 #include <abut/decomposition/scheme.h>
@@ -10,7 +11,6 @@
 #include <abut/results/estimator_quality.h>
 #include <abut/results/peaks.h>
 #include <abut/results/times.h>
-#include <abut/results/warning.h>
 #include <abut/scene/scene.h>
 
 #include <deal.II/base/exceptions.h>

@@ -3,9 +3,11 @@
 
 #include <abut/base/stopwatch.h>
 #include <abut/run/checks/validity.h>
+#include <abut/run/find_contacts.h>
 #include <abut/run/pass.h>
 
 #include <memory>
+#include <optional>
 
 namespace abut
 {
@@ -17,7 +19,7 @@ namespace abut
   class Simulation
   {
   public:
-    /// The scene must outlive the simulation.
+    /// The scene must outlive the simulation. Finds its contacts where it asks for that.
     explicit Simulation(const Scene &scene);
 
     /// See abut::check_supports. Throws UserError.
@@ -49,6 +51,7 @@ namespace abut
     /// Makes the next mesh after a pass that was not the last: empty where no cell could be changed.
     std::optional<CarriedState> adapt(const PassOutcome &outcome, Results &results);
 
+    const std::optional<Scene> completed_; ///< by the contacts that were found
     const Scene &scene_;
     WallClock clock_;
     Times construction_; ///< what the constructor took

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <abut/scene/condition.h>
+#include <abut/scene/materials.h>
+#include <abut/scene/mesh_size.h>
+#include <abut/scene/outline.h>
 #include <abut/scene/placement.h>
 
 #include <array>
@@ -22,6 +25,13 @@ namespace abut
     triangles
   };
 
+  /// What the edges of a mesh file stand for.
+  enum class BoundaryCurve
+  {
+    smooth,
+    as_meshed
+  };
+
   /**
    * What the section `Body <name>` says. Points, lengths and vectors are in the body's own frame; `placement`
    * moves it into the plane. Units are the user's, consistent.
@@ -34,10 +44,14 @@ namespace abut
     std::array<unsigned int, 2> cells{{1, 1}}; ///< rectangle: along x, y. Disc and ring: along a quarter arc,
                                                ///< radially. L-shape: of each of its squares along x, y
     std::array<double, 2> grading{
-        {1., 1.}};                 ///< rectangle: size of the last cell over that of the first, along x, y
-    std::optional<Expression> top; ///< rectangle with curved top: the top's height y at x
-    std::string mesh_file;         ///< as the user wrote it, relative to the parameter file
-    std::string mesh_path;         ///< where it lies
+        {1., 1.}};                    ///< rectangle: size of the last cell over that of the first, along x, y
+    std::optional<Expression> top;    ///< rectangle with curved top: the top's height y at x
+    std::string mesh_file;            ///< as the user wrote it, relative to the parameter file
+    std::string mesh_path;            ///< where it lies
+    std::vector<OutlineLoop> outline; ///< of the shape outline
+    MeshSize mesh_size;               ///< of geometry files and outlines
+    BoundaryCurve boundary_curve = BoundaryCurve::smooth;
+    double corner_angle = 20.; ///< degrees: where the edges of a mesh file turn by more is a corner
     CellType cell_type = CellType::quadrilaterals;
     unsigned int degree = 1;
     bool adapt = false; ///< the mesh follows the error
@@ -45,16 +59,21 @@ namespace abut
 
     double young_modulus = 1.;
     double poisson_ratio = 0.;
+    std::vector<RegionMaterial> regions; ///< of a mesh file that are of another material
     bool allow_locking = false; ///< nearly incompressible elements that are known to fail are not refused
     std::vector<Expression> body_force; ///< empty or two: force per volume, own frame, not scaled
     std::vector<Condition> conditions;
     std::optional<double>
         contact_depth; ///< H_a of the penalty and of the elastic layer, own frame; empty: from the shape
 
+    /// That of the body, then those of the regions.
+    std::vector<Material> materials() const;
+    double largest_poisson_ratio() const;
+
     static void declare(dealii::ParameterHandler &prm);
     /// Reads the section the handler stands in. Throws UserError. `directory` is that of the parameter file.
     static BodyDescription parse(dealii::ParameterHandler &prm, const std::string &name,
                                  unsigned int default_degree, const Constants &constants,
-                                 const std::string &directory);
+                                 const Materials &materials, const std::string &directory);
   };
 } // namespace abut

@@ -40,4 +40,7 @@ namespace abut
 
   /// The value of a formula of constants alone. Throws UserError, beginning with `where`, also for x and y.
   double constant_value(const std::string &text, const Constants &constants, const std::string &where);
+
+  /// The point `(x, y)`, two such values.
+  Vector2 constant_point(const std::string &text, const Constants &constants, const std::string &where);
 } // namespace abut

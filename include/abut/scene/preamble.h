@@ -13,7 +13,9 @@ namespace abut
   struct Preamble
   {
     std::vector<std::string> bodies;
-    std::vector<std::string> contacts;
+    std::vector<std::string> contacts; ///< empty where they are found
+    bool finds_contacts = false;
+    std::vector<std::string> materials;
     Constants constants;
 
     /// Of the section Constants.

@@ -22,6 +22,8 @@ namespace abut
     std::string output_directory;
     std::vector<BodyDescription> bodies;      ///< in the order of the list `Bodies`
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
+    bool finds_contacts = false;  ///< `Contacts = automatic`: the list is empty, see with_found_contacts
+    double contact_distance = 0.; ///< for that; 0: a hundredth of the smallest body
     DecompositionParameters decomposition;
     AdaptationParameters adaptation;
     ReferenceParameters reference;

@@ -21,14 +21,16 @@ namespace abut
     std::string name, documentation;
     std::string size = {};  ///< what the numbers of Size are, each above 0: "inner radius, outer radius"
     std::string order = {}; ///< where each must be below the next: how to say so, "the inner below the outer"
-    bool reads_file = false;    ///< Mesh file, in place of Size, Cells and Cell type
+    bool makes_cells = false;   ///< of a kind and number of its own, in place of Size and Cells
+    bool reads_file = false;    ///< Mesh file
+    bool takes_outline = false; ///< needs `Outline`; the others have none
     bool takes_grading = false; ///< `Grading` may differ from 1, 1
     bool takes_top = false;     ///< needs `Top`; the others have none
     bool has_curves = false;    ///< some sides are curves, where the cells are quadrilaterals
 
-    /// The mesh in the body's own frame, in quadrilaterals (from a file: as it is there); both numbers of
-    /// Cells are at least 1. Boundary ids count the sides in the order of the documentation. Throws UserError
-    /// where cells or sizes do not fit the shape.
+    /// The mesh in the body's own frame, in quadrilaterals (where it makes its own cells: with `Cell type` as
+    /// far as it can); both numbers of Cells are at least 1. Boundary ids count the sides in the order of the
+    /// documentation. Throws UserError where cells or sizes do not fit the shape.
     RawMesh (*make)(const BodyDescription &body) = nullptr;
     /// Gives the triangulation of the placed body the curves of its sides, so that refinement and mappings of
     /// higher degree follow them. Null without curves.

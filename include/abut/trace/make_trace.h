@@ -5,16 +5,21 @@
 
 #include <deal.II/base/types.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/mapping.h>
+#include <deal.II/grid/tria.h>
+
+#include <functional>
 
 namespace abut
 {
+  using CellGeometry = std::function<Vector2(const dealii::Triangulation<2, 2>::cell_iterator &cell,
+                                             const dealii::Point<2> &unit_point)>;
+
   /**
    * The side `boundary` of a mesh as a curve, with the trace of the vector-valued space of `dof_handler` (two
-   * equal scalar elements with support points on the faces). The geometry is that of `geometry_mapping`,
-   * sampled as a polynomial of `geometry_degree` on each edge. Where the side consists of several curves they
-   * follow one another.
+   * equal scalar elements with support points on the faces). `geometry`, where points of reference cells
+   * lie, is sampled as a polynomial of `geometry_degree` on each edge. Where the side consists of several
+   * curves they follow one another.
    */
-  Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const dealii::Mapping<2> &geometry_mapping,
+  Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const CellGeometry &geometry,
                    unsigned int geometry_degree, dealii::types::boundary_id boundary);
 } // namespace abut

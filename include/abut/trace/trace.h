@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/lagrange_basis.h>
 #include <abut/base/vector2.h>
-#include <abut/trace/lagrange_basis.h>
 
 #include <Eigen/Core>
 

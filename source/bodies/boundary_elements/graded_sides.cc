@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/directions.h>
+#include <abut/base/plane_geometry.h>
 #include <abut/bodies/boundary_elements/graded_sides.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
-#include <abut/trace/plane_geometry.h>
 
 #include <algorithm>
 #include <cmath>

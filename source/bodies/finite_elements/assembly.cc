@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/plane_geometry.h>
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
-#include <abut/trace/plane_geometry.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
@@ -72,20 +72,20 @@ namespace abut
     }
   } // namespace
 
-  Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const Material &material)
+  Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const CellMaterials &materials,
+                                                 const bool projects)
   {
     Eigen::SparseMatrix<double> stiffness = zero_matrix(space.dof_handler());
     const auto &fe = space.dof_handler().get_fe();
     dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
                                dealii::update_gradients | dealii::update_JxW_values |
                                    dealii::update_quadrature_points);
-    const bool projects = projects_divergence(space.mesh().cell_type, material.poisson_ratio);
-    const double lambda = material.lambda(), mu = material.mu();
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);
+      const double lambda = materials(cell).lambda(), mu = materials(cell).mu();
       const dealii::FullMatrix<double> matrix =
           projects ? projected_cell_stiffness(cell, values, lambda, mu) : cell_stiffness(values, lambda, mu);
       for (const unsigned int i : values.dof_indices())

@@ -4,6 +4,7 @@
 #include <abut/base/directions.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/boundary_elements/graded_sides.h>
+#include <abut/bodies/finite_elements/cell_materials.h>
 #include <abut/bodies/finite_elements/locking.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
@@ -54,12 +55,33 @@ namespace abut
     if (projects_divergence())
       return "the projected divergence of the nearly incompressible body " + name() +
              " is left out of the theory";
-    if (description().allow_locking && description().poisson_ratio > largest_locking_ratio)
+    if (description().allow_locking && description().largest_poisson_ratio() > largest_locking_ratio)
       return "body " + name() + " is allowed to lock";
     if (space_->mesh().curved)
       return "the error of the straight edges that stand for the curved sides of body " + name() +
              " is not part of it";
     return {};
+  }
+
+  std::optional<SideFacets> FiniteElementBody::facets(const std::string &side) const
+  {
+    const BodyMesh &mesh = space_->mesh();
+    const auto found = mesh.facets.find(boundary_id(mesh, side));
+    return found == mesh.facets.end() ? std::nullopt : std::optional<SideFacets>(found->second);
+  }
+
+  Material FiniteElementBody::material_behind(const std::size_t side) const
+  {
+    const CellMaterials materials(description());
+    const auto boundary = contact_boundary(side);
+    std::optional<Material> softest;
+    for (const auto &cell : space_->mesh().triangulation.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f) && cell->face(f)->boundary_id() == boundary &&
+            (!softest || materials(cell).young_modulus < softest->young_modulus))
+          softest = materials(cell);
+    Assert(softest, dealii::ExcMessage("a side has cells"));
+    return *softest;
   }
 
   LostLoad FiniteElementBody::lost_load(const std::string &side) const
@@ -85,6 +107,9 @@ namespace abut
         << (space_->mesh().cell_type == CellType::triangles ? "triangles" : "quadrilaterals") << " of degree "
         << space_->degree() << ", " << space_->n_dofs() << " unknowns, E = " << description().young_modulus
         << ", nu = " << description().poisson_ratio << '\n';
+    for (const RegionMaterial &region : description().regions)
+      out << "  region " << region.region << ": E = " << region.material.young_modulus
+          << ", nu = " << region.material.poisson_ratio << '\n';
     if (projects_divergence())
       out << "  volumetric term: divergence projected onto polynomials of degree " << space_->degree() - 1
           << " (quadrilaterals from nu = " << smallest_projected_ratio << " on)\n";

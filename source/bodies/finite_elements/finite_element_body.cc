@@ -53,9 +53,26 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    /// The mesh with the sides that the scene names.
+    std::unique_ptr<BodyMesh> mesh_of(const BodyDescription &description,
+                                      const std::vector<std::string> &contact_sides)
+    {
+      auto mesh = make_mesh(description);
+      for (const Condition &condition : description.conditions)
+        if (!condition.point)
+          unite_sides(*mesh, condition.boundary);
+      for (const std::string &side : contact_sides)
+        unite_sides(*mesh, side);
+      return mesh;
+    }
+  } // namespace
+
   FiniteElementBody::FiniteElementBody(const BodyDescription &description,
                                        const std::vector<std::string> &contact_sides)
-      : Body(description), space_(std::make_unique<Space>(make_mesh(description), description.degree)),
+      : Body(description),
+        space_(std::make_unique<Space>(mesh_of(description, contact_sides), description.degree)),
         contact_side_names_(contact_sides)
   {
     set_up();
@@ -66,7 +83,7 @@ namespace abut
 
   bool FiniteElementBody::projects_divergence() const
   {
-    return abut::projects_divergence(space_->mesh().cell_type, description().poisson_ratio);
+    return abut::projects_divergence(space_->mesh().cell_type, description().largest_poisson_ratio());
   }
 
   void FiniteElementBody::set_up()
@@ -84,8 +101,12 @@ namespace abut
   {
     sides_.clear();
     contact_sides_.clear();
+    std::map<dealii::types::boundary_id, std::string> called;
     const auto side = [&](const std::string &boundary) -> const Trace & {
       const auto id = boundary_id(space_->mesh(), boundary);
+      if (const std::string &name = called.try_emplace(id, boundary).first->second; name != boundary)
+        throw UserError("Body " + this->name() + ": the scene calls one of its sides both `" + name +
+                        "` and `" + boundary + "`, allowed is one of the two");
       return sides_.try_emplace(boundary, space_->trace(id)).first->second;
     };
     for (const Condition &condition : description().conditions)
@@ -182,7 +203,7 @@ namespace abut
     PreparationTimes times;
     {
       const Stopwatch watch(times.assemble);
-      stiffness_ = assemble_stiffness(*space_, material());
+      stiffness_ = assemble_stiffness(*space_, CellMaterials(description()), projects_divergence());
       ++counters_.assemblies;
     }
     {

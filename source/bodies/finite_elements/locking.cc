@@ -42,15 +42,15 @@ namespace abut
 
   void refuse_locking(const BodyDescription &body, const Space &space, const Supports &supports)
   {
-    if (body.allow_locking || body.poisson_ratio <= largest_locking_ratio)
+    if (body.allow_locking || body.largest_poisson_ratio() <= largest_locking_ratio)
       return;
     const std::string reason = objection(space, supports);
     if (reason.empty())
       return;
     std::ostringstream text;
-    text << "Body " << body.name << "/Poisson ratio: received " << std::setprecision(10) << body.poisson_ratio
-         << ", allowed are numbers up to " << largest_locking_ratio << ' ' << reason << ", or set Body "
-         << body.name << "/Allow locking = true";
+    text << "Body " << body.name << "/Poisson ratio: received " << std::setprecision(10)
+         << body.largest_poisson_ratio() << ", allowed are numbers up to " << largest_locking_ratio << ' '
+         << reason << ", or set Body " << body.name << "/Allow locking = true";
     throw UserError(text.str());
   }
 } // namespace abut

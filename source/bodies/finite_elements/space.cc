@@ -114,7 +114,7 @@ namespace abut
   Trace Space::trace(const dealii::types::boundary_id boundary) const
   {
     const unsigned int degree = mesh_->curved ? curve_degree : 1;
-    return make_trace(dof_handler_, *mesh_->mapping(degree), degree, boundary);
+    return make_trace(dof_handler_, mesh_->geometry(degree), degree, boundary);
   }
 
   Eigen::Matrix2d gradient_at(const dealii::FEValuesBase<2> &values, const unsigned int point,

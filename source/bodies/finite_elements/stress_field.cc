@@ -10,7 +10,7 @@ namespace abut
   }
 
   StressField::StressField(const FiniteElementBody &body, const Eigen::VectorXd &deformation)
-      : space_(body.space()), material_(body.material()), deformation_(deformation)
+      : space_(body.space()), materials_(body.description()), deformation_(deformation)
   {
     if (body.projects_divergence())
       project();
@@ -38,9 +38,9 @@ namespace abut
   Stress StressField::at(const Cell &cell, const Vector2 &point, const Eigen::Matrix2d &gradient) const
   {
     if (!projects())
-      return material_.stress(gradient);
-    return material_.stress(gradient,
-                            polynomials(cell).values(point) * divergence_.col(cell->active_cell_index()));
+      return materials_(cell).stress(gradient);
+    return materials_(cell).stress(gradient, polynomials(cell).values(point) *
+                                                 divergence_.col(cell->active_cell_index()));
   }
 
   Stress StressField::at(const Cell &cell, const dealii::FEValuesBase<2> &values, const unsigned int point,

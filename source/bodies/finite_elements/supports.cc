@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/plane_geometry.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/supports.h>
-#include <abut/trace/plane_geometry.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

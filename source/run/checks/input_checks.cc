@@ -71,6 +71,36 @@ namespace abut
       return warnings;
     }
 
+    /// What straight edges of a mesh file do to a gap.
+    Warnings facets_warnings(const Body &body, const std::string &side, const ContactPair &pair)
+    {
+      constexpr double noticeable = .05; // of the smallest gap or the overlap
+      const auto facets = body.facets(side);
+      Warnings warnings;
+      if (!facets)
+        return warnings;
+      std::ostringstream text;
+      text.precision(3);
+      text << "Contact " << pair.name() << ": the side " << body.name() << ':' << side;
+      if (facets->n_blunt_corners > 0)
+      {
+        text << " turns by up to " << facets->largest_kink
+             << " degrees between its edges, which are taken for corners one after the other; if the side is "
+                "round, raise Body "
+             << body.name() << "/Corner angle or mesh it finer";
+        warnings.push_back({WarningCode::coarse_curve, text.str()});
+      }
+      else if (!facets->followed && pair.gap_from_geometry() &&
+               facets->height > noticeable * std::abs(pair.smallest_gap()))
+      {
+        text << " is taken as meshed: its straight edges are up to " << facets->height
+             << " off the smooth curve through them, the smallest gap is " << pair.smallest_gap()
+             << "; if the side is round, set Body " << body.name() << "/Boundary curve = smooth";
+        warnings.push_back({WarningCode::facets, text.str()});
+      }
+      return warnings;
+    }
+
     Warning repeated_warning(const RepeatedParameter &parameter)
     {
       return {WarningCode::repeated_parameter, "Line " + std::to_string(parameter.last_line) + ": `" +
@@ -87,8 +117,17 @@ namespace abut
       warnings.push_back(repeated_warning(parameter));
     for (const auto &body : model.bodies())
       append(warnings, load_on_support_warnings(*body));
-    for (const ContactPair *pair : model.pairs())
-      append(warnings, overlap_warnings(*pair));
+    for (const auto &body : model.bodies())
+      append(warnings, body->mesh_warnings());
+    for (std::size_t i = 0; i < model.pairs().size(); ++i)
+    {
+      const ContactPair &pair = *model.pairs()[i];
+      append(warnings, overlap_warnings(pair));
+      append(warnings,
+             facets_warnings(*model.bodies()[pair.slave().body], scene.contacts[i].slave.boundary, pair));
+      append(warnings,
+             facets_warnings(*model.bodies()[pair.master().body], scene.contacts[i].master.boundary, pair));
+    }
     return warnings;
   }
 } // namespace abut

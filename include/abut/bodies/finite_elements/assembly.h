@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/finite_elements/cell_materials.h>
 #include <abut/bodies/finite_elements/space.h>
 
 #include <Eigen/SparseCore>
@@ -8,7 +9,9 @@
 namespace abut
 {
   /// a(u, v) of (11), without any boundary condition: symmetric, with the rigid modes in its kernel.
-  Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const Material &material);
+  /// `projects`: with the projected divergence (projects_divergence).
+  Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const CellMaterials &materials,
+                                                 bool projects);
 
   /// The body force of a description at a point of the plane: force per volume, world frame.
   Vector2 body_force(const BodyDescription &body, const Vector2 &point);

@@ -30,8 +30,11 @@ namespace abut
     const std::vector<std::string> &free_rigid_motions() const override { return free_rigid_motions_; }
     bool is_supported() const override { return !supports_.nodes.empty(); }
     double contact_depth(std::size_t side) const override;
+    Material material_behind(std::size_t side) const override;
     LostLoad lost_load(const std::string &side) const override;
     void describe(std::ostream &out) const override;
+    const std::vector<Warning> &mesh_warnings() const override { return space_->mesh().warnings; }
+    std::optional<SideFacets> facets(const std::string &side) const override;
     Counts counts() const override;
     BodyCounters counters() const override { return counters_; }
 

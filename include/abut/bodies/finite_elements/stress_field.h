@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/finite_elements/cell_materials.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 
@@ -41,7 +42,7 @@ namespace abut
     void project();
 
     const Space &space_;
-    const Material material_;
+    const CellMaterials materials_;
     const Eigen::VectorXd &deformation_;
     Eigen::MatrixXd divergence_; // d, a column for every cell; empty without projection
   };

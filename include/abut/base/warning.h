@@ -25,7 +25,11 @@ namespace abut
     repeated_parameter,
     unused_parameter,
     estimator_sees_a_part,
-    rough_estimator
+    rough_estimator,
+    cells_cut,
+    one_material,
+    facets,
+    coarse_curve
   };
 
   /// All of them, in the order above.

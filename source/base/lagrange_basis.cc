@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/trace/lagrange_basis.h>
+#include <abut/base/lagrange_basis.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -58,8 +58,8 @@ namespace abut
   LagrangeBasis::LagrangeBasis(const unsigned int degree)
       : nodes_(degree + 1), scaling_(Eigen::VectorXd::Ones(degree + 1))
   {
-    if (degree < 1 || degree > 5)
-      throw std::invalid_argument("LagrangeBasis: degree must be 1 to 5");
+    if (degree < 1 || degree > 12)
+      throw std::invalid_argument("LagrangeBasis: degree must be 1 to 12");
     nodes_[0] = 0.;
     nodes_[degree] = 1.;
     if (degree > 1) // the inner Gauss-Lobatto points are the zeros of the Legendre polynomial's derivative

@@ -6,7 +6,7 @@
 namespace abut
 {
   /**
-   * Lagrange polynomials of degree 1 to 5 on [0, 1] whose nodes are the Gauss-Lobatto points: for degrees up
+   * Lagrange polynomials of degree 1 to 12 on [0, 1] whose nodes are the Gauss-Lobatto points: for degrees up
    * to 3 the trace of deal.II's FE_Q, for degrees 1 and 2 that of FE_SimplexP.
    */
   class LagrangeBasis

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/base/lagrange_basis.h>
+#include <abut/mesh/raw_mesh.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <Eigen/Core>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace dealii
+{
+  template <int, int> class Mapping;
+}
+
+namespace abut
+{
+  /**
+   * The cells that a mesh began with as smooth images of the reference cell, whose edges on the boundary
+   * follow curves. What refinement makes of such a cell are pieces of that one image: new vertices lie on the
+   * curves, inner edges follow them, and no cell folds that its ancestor does not fold.
+   *
+   * Blending: quadrilaterals after Coons, triangles after Szabo and Babuska (Finite Element Analysis, 1991,
+   * ch. 6): what an edge deviates from its chord fades towards the opposite side.
+   */
+  class CellCharts
+  {
+  public:
+    /// Of a mesh as it is created, not refined; edges without a curve are straight.
+    CellCharts(const dealii::Triangulation<2, 2> &triangulation,
+               const std::vector<RawMesh::BoundaryEdge> &edges);
+
+    /// The image of points of a cell's reference cell; the cell may be a descendant of any level.
+    std::vector<dealii::Point<2>> points(const dealii::Triangulation<2, 2>::cell_iterator &cell,
+                                         const std::vector<dealii::Point<2>> &unit_points) const;
+
+    /// Puts every vertex of a refined mesh where the charts have it.
+    void place_vertices(dealii::Triangulation<2, 2> &triangulation) const;
+
+    /// Polynomials of a degree (triangles: 1 or 2) that interpolate the charts in every cell. The charts must
+    /// outlive it.
+    std::unique_ptr<dealii::Mapping<2, 2>> mapping(bool triangles, unsigned int degree) const;
+
+  private:
+    /// What a face deviates from its chord, from its first vertex in the reference cell on.
+    struct Deviation
+    {
+      explicit Deviation(const std::vector<Vector2> &curve);
+      Vector2 at(double s) const;
+
+      LagrangeBasis basis;
+      Eigen::Matrix2Xd at_nodes;
+    };
+    using CurvedFaces = std::map<unsigned int, Deviation>;
+
+    static Vector2 blended(const dealii::ReferenceCell &reference, const CurvedFaces &faces,
+                           const dealii::Point<2> &unit);
+
+    std::map<int, CurvedFaces> cells_; // by index on level 0
+  };
+} // namespace abut

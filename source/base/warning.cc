@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/warning.h>
+
+namespace abut
+{
+  const std::vector<WarningCode> &all_warning_codes()
+  {
+    static const std::vector<WarningCode> all = {WarningCode::large_strain,
+                                                 WarningCode::singular_stress,
+                                                 WarningCode::sideways_displacement,
+                                                 WarningCode::side_leaves_master,
+                                                 WarningCode::large_overlap,
+                                                 WarningCode::nothing_touches,
+                                                 WarningCode::narrow_contact,
+                                                 WarningCode::rough_pressure,
+                                                 WarningCode::missed_contact,
+                                                 WarningCode::hidden_pair,
+                                                 WarningCode::dropped_load,
+                                                 WarningCode::load_on_support,
+                                                 WarningCode::repeated_parameter,
+                                                 WarningCode::unused_parameter,
+                                                 WarningCode::estimator_sees_a_part,
+                                                 WarningCode::rough_estimator,
+                                                 WarningCode::cells_cut,
+                                                 WarningCode::one_material,
+                                                 WarningCode::facets,
+                                                 WarningCode::coarse_curve};
+    return all;
+  }
+
+  std::string to_string(const WarningCode code)
+  {
+    switch (code)
+    {
+    case WarningCode::large_strain:
+      return "large-strain";
+    case WarningCode::singular_stress:
+      return "singular-stress";
+    case WarningCode::sideways_displacement:
+      return "sideways-displacement";
+    case WarningCode::side_leaves_master:
+      return "side-leaves-master";
+    case WarningCode::large_overlap:
+      return "large-overlap";
+    case WarningCode::nothing_touches:
+      return "nothing-touches";
+    case WarningCode::narrow_contact:
+      return "narrow-contact";
+    case WarningCode::rough_pressure:
+      return "rough-pressure";
+    case WarningCode::missed_contact:
+      return "missed-contact";
+    case WarningCode::hidden_pair:
+      return "hidden-pair";
+    case WarningCode::dropped_load:
+      return "dropped-load";
+    case WarningCode::load_on_support:
+      return "load-on-support";
+    case WarningCode::repeated_parameter:
+      return "repeated-parameter";
+    case WarningCode::unused_parameter:
+      return "unused-parameter";
+    case WarningCode::estimator_sees_a_part:
+      return "estimator-sees-a-part";
+    case WarningCode::rough_estimator:
+      return "rough-estimator";
+    case WarningCode::cells_cut:
+      return "cells-cut";
+    case WarningCode::one_material:
+      return "one-material";
+    case WarningCode::facets:
+      return "facets";
+    case WarningCode::coarse_curve:
+      return "coarse-curve";
+    }
+    return "unknown";
+  }
+} // namespace abut

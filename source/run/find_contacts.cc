@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/plane_geometry.h>
+#include <abut/base/user_error.h>
+#include <abut/mesh/body_mesh.h>
+#include <abut/run/find_contacts.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <sstream>
+
+namespace abut
+{
+  namespace
+  {
+    constexpr double default_share = .01; // of the smallest body's extent
+
+    struct Edge
+    {
+      Vector2 start, end; // the body on the left
+    };
+
+    /// A side of a body as the polygon of its mesh.
+    struct Polyline
+    {
+      std::string name;
+      std::vector<Edge> edges;
+    };
+
+    Vector2 to_vector2(const dealii::Point<2> &point)
+    {
+      return Vector2(point[0], point[1]);
+    }
+
+    /// Every side once: by its name rather than by its number.
+    std::vector<Polyline> sides_of(const BodyMesh &mesh)
+    {
+      std::map<dealii::types::boundary_id, Polyline> sides;
+      for (const auto &[name, id] : mesh.boundaries)
+        if (std::string &known = sides[id].name; known.empty() || known == std::to_string(id))
+          known = name;
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+          {
+            Edge edge{to_vector2(face->vertex(0)), to_vector2(face->vertex(1))};
+            if (cross(edge.end - edge.start, to_vector2(cell->center()) - edge.start) < 0.)
+              std::swap(edge.start, edge.end);
+            sides[face->boundary_id()].edges.push_back(edge);
+          }
+      std::vector<Polyline> result;
+      for (auto &[id, side] : sides)
+        result.push_back(std::move(side));
+      return result;
+    }
+
+    /// The distance from the middle of an edge to another that faces it; infinite where it does not.
+    double distance(const Edge &edge, const Edge &other)
+    {
+      constexpr double opposed = -.7071067811865475;
+      const Vector2 along = other.end - other.start, middle = .5 * (edge.start + edge.end);
+      const double s = along.dot(middle - other.start) / along.squaredNorm();
+      const bool beside = s < 0. || s > 1.;
+      if (beside || (edge.end - edge.start).normalized().dot(along.normalized()) > opposed)
+        return std::numeric_limits<double>::infinity();
+      return (other.start + s * along - middle).norm();
+    }
+
+    double distance(const Polyline &a, const Polyline &b)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const Edge &edge : a.edges)
+        for (const Edge &other : b.edges)
+          smallest = std::min({smallest, distance(edge, other), distance(other, edge)});
+      return smallest;
+    }
+
+    double extent(const std::vector<Polyline> &sides)
+    {
+      Vector2 low = sides[0].edges[0].start, high = low;
+      for (const Polyline &side : sides)
+        for (const Edge &edge : side.edges)
+        {
+          low = low.cwiseMin(edge.start);
+          high = high.cwiseMax(edge.start);
+        }
+      return (high - low).norm();
+    }
+
+    std::string name_of(const Side &slave, const Side &master)
+    {
+      std::string name = slave.body + '.' + slave.boundary + '-' + master.body + '.' + master.boundary;
+      for (char &c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != '_')
+          c = '_';
+      return name;
+    }
+
+    class Search
+    {
+    public:
+      explicit Search(const Scene &scene) : scene_(scene)
+      {
+        double smallest = std::numeric_limits<double>::infinity();
+        for (const BodyDescription &body : scene.bodies)
+        {
+          const auto mesh = make_mesh(body);
+          for (const Condition &condition : body.conditions)
+            if (!condition.point)
+              unite_sides(*mesh, condition.boundary);
+          sides_.push_back(sides_of(*mesh));
+          smallest = std::min(smallest, extent(sides_.back()));
+        }
+        reach_ = scene.contact_distance > 0. ? scene.contact_distance : default_share * smallest;
+      }
+
+      std::vector<ContactDescription> contacts()
+      {
+        std::vector<ContactDescription> found;
+        for (std::size_t a = 0; a < sides_.size(); ++a)
+          for (std::size_t b = a + 1; b < sides_.size(); ++b)
+            for (const Polyline &slave : sides_[a])
+              for (const Polyline &master : sides_[b])
+                if (is_near(slave, master))
+                {
+                  found.emplace_back();
+                  found.back().slave = {scene_.bodies[a].name, slave.name};
+                  found.back().master = {scene_.bodies[b].name, master.name};
+                  found.back().name = name_of(found.back().slave, found.back().master);
+                }
+        if (found.empty())
+          throw UserError(refusal());
+        return found;
+      }
+
+    private:
+      bool is_near(const Polyline &a, const Polyline &b)
+      {
+        const double between = distance(a, b);
+        nearest_ = std::min(nearest_, between);
+        return between <= reach_;
+      }
+
+      std::string refusal() const
+      {
+        std::ostringstream text;
+        text << "Contacts: received `automatic`, but no sides of two bodies face each other within " << reach_
+             << " (Contact distance)";
+        if (nearest_ < std::numeric_limits<double>::infinity())
+          text << "; the nearest that do are " << nearest_ << " apart";
+        return text.str();
+      }
+
+      const Scene &scene_;
+      std::vector<std::vector<Polyline>> sides_; // of each body
+      double reach_, nearest_ = std::numeric_limits<double>::infinity();
+    };
+  } // namespace
+
+  std::optional<Scene> with_found_contacts(const Scene &scene)
+  {
+    if (!scene.finds_contacts)
+      return {};
+    Scene completed = scene;
+    completed.contacts = Search(scene).contacts();
+    return completed;
+  }
+} // namespace abut

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
+#include <abut/scene/consistency.h>
+#include <abut/scene/estimator_entry.h>
+#include <abut/scene/shape_entry.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace abut
+{
+  namespace
+  {
+    /// Whether a body is given with curved sides but meshed with straight ones.
+    bool is_polygon_for_a_curve(const BodyDescription &body)
+    {
+      return body.cell_type == CellType::triangles && shape_of(body).has_curves;
+    }
+
+    void check_different(const ContactDescription &a, const ContactDescription &b)
+    {
+      const auto same = [](const Side &s, const Side &t) {
+        return s.body == t.body && s.boundary == t.boundary;
+      };
+      if ((same(a.slave, b.slave) && same(a.master, b.master)) ||
+          (same(a.slave, b.master) && same(a.master, b.slave)))
+        throw UserError("Contact " + b.name + ": its sides are those of Contact " + a.name +
+                        ", a pair of sides may stand in one contact only");
+    }
+
+    void check_geometric_gap(const Scene &scene, const ContactDescription &contact)
+    {
+      for (const Side &side : {contact.slave, contact.master})
+        if (!contact.gap && is_polygon_for_a_curve(scene.bodies[scene.body_index(side.body)]))
+          throw UserError("Contact " + contact.name +
+                          "/Gap: received `geometry`, but the triangles of body " + side.body +
+                          " follow its curved sides by chords; allowed are quadrilaterals (Body " +
+                          side.body + "/Cell type) or the gap as an expression");
+    }
+
+    void check_contacts(const Scene &scene)
+    {
+      for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          check_different(scene.contacts[j], scene.contacts[i]);
+      for (const auto &contact : scene.contacts)
+      {
+        const std::string where = "Contact " + contact.name;
+        for (const auto &[entry, side] : {std::pair("/Slave", contact.slave), {"/Master", contact.master}})
+          if (scene.body_index(side.body) == scene.bodies.size())
+            throw UserError(where + entry + ": received the body `" + side.body +
+                            "`, allowed are those of the list Bodies");
+        if (contact.slave.body == contact.master.body && contact.slave.boundary == contact.master.boundary)
+          throw UserError(where + ": slave and master are the same side `" + contact.slave.body + ":" +
+                          contact.slave.boundary + "`, two different ones are needed");
+        check_geometric_gap(scene, contact);
+      }
+    }
+
+    /// A side that carries a given resultant takes no other load: its support would carry that one too.
+    void check_loads_beside_resultant(const BodyDescription &body)
+    {
+      for (const Condition &resultant : body.conditions)
+        for (const Condition &load : body.conditions)
+          if (resultant.kind == ConditionKind::resultant && load.boundary == resultant.boundary &&
+              (load.kind == ConditionKind::traction || load.kind == ConditionKind::pressure))
+            throw UserError(
+                "Body " + body.name + "/Conditions: " + load.boundary + ": received `" +
+                to_string(load.kind) +
+                "` beside `resultant`, which is all that the side carries; allowed is one of them");
+    }
+
+    void check_resultants(const Scene &scene)
+    {
+      for (const BodyDescription &body : scene.bodies)
+        check_loads_beside_resultant(body);
+    }
+
+    void check_adaptation(const Scene &scene)
+    {
+      const AdaptationParameters &adaptation = scene.adaptation;
+      bool some = false;
+      for (const BodyDescription &body : scene.bodies)
+      {
+        some = some || body.adapt;
+        if (body.adapt && !Registry<EstimatorEntry>::get().find(adaptation.estimator).estimates())
+          throw UserError("Body " + body.name + "/Adapt: received `true`, but Adaptation/Estimator is " +
+                          adaptation.estimator + "; allowed with it is false");
+        if (body.adapt && body.cell_type == CellType::triangles && adaptation.coarsening > 0.)
+          throw UserError("Adaptation/Coarsening: received a share above 0, but body " + body.name +
+                          " has triangles, which cannot be merged; allowed is 0");
+        const bool carried =
+            std::any_of(body.conditions.begin(), body.conditions.end(),
+                        [](const Condition &c) { return c.kind == ConditionKind::resultant; });
+        if (carried && adaptation.combined)
+          throw UserError("Adaptation/Combined: received `true`, but body " + body.name +
+                          " carries a resultant, whose displacement takes whole solutions; allowed is false");
+      }
+      if (!some && adaptation.limit > 0.)
+        throw UserError(
+            "Adaptation/Limit: received a limit, but no body adapts; give one of them Adapt = true");
+    }
+
+    void check_exact_conditions(const Scene &scene)
+    {
+      for (const BodyDescription &body : scene.bodies)
+        for (const Condition &condition : body.conditions)
+          if (condition.exact && !scene.reference.is_named())
+            throw UserError(
+                "Body " + body.name + "/Conditions: " + condition.boundary +
+                ": received `exact`, but Reference/Exact solution is none; name the solution there");
+    }
+  } // namespace
+
+  void check_consistency(const Scene &scene)
+  {
+    check_contacts(scene);
+    check_resultants(scene);
+    check_adaptation(scene);
+    check_exact_conditions(scene);
+  }
+} // namespace abut

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The curves behind the straight edges of mesh files, and the cells that follow them.
+#include <abut/mesh/gmsh_library.h>
+#include <abut/mesh/smooth_sides.h>
+
+#include "../mesh_text.h"
+#include "mesh_testing.h"
+
+using namespace abut;
+
+namespace
+{
+  /// The edges of a polygon, all of one side.
+  RawMesh polygon(const std::vector<Vector2> &vertices)
+  {
+    RawMesh mesh;
+    mesh.vertices = vertices;
+    const auto n = static_cast<unsigned int>(vertices.size());
+    for (unsigned int i = 0; i < n; ++i)
+      mesh.boundary_edges.push_back({{{i, (i + 1) % n}}, 1});
+    return mesh;
+  }
+
+  std::vector<Vector2> on_circle(const std::vector<double> &degrees, const double radius)
+  {
+    std::vector<Vector2> points;
+    for (const double angle : degrees)
+      points.emplace_back(radius * std::cos(angle * pi / 180.), radius * std::sin(angle * pi / 180.));
+    return points;
+  }
+
+  double largest_distance(const RawMesh &mesh, const double radius)
+  {
+    double largest = 0.;
+    for (const auto &edge : mesh.boundary_edges)
+      for (const Vector2 &point : edge.curve)
+        largest = std::max(largest, std::abs(point.norm() - radius));
+    return largest;
+  }
+
+  constexpr double corner_angle = .35; // 20 degrees
+
+  void refine(BodyMesh &mesh)
+  {
+    mesh.triangulation.refine_global(1);
+  }
+} // namespace
+
+TEST(SmoothSides, ArcsComeOutAsArcs)
+{
+  std::vector<double> even, uneven;
+  for (int i = 0; i < 32; ++i)
+  {
+    even.push_back(11.25 * i);
+    uneven.push_back(11.25 * i + 3. * std::sin(2. * i));
+  }
+  for (const auto &degrees : {even, uneven})
+  {
+    RawMesh mesh = polygon(on_circle(degrees, 3.));
+    smooth_sides(mesh, {}, corner_angle);
+    for (const auto &edge : mesh.boundary_edges)
+      ASSERT_EQ(edge.curve.size(), 4u);
+    // A cubic misses an arc of angle a by 4/27 (a/4)^6 of the radius; edges of 15 degrees here at most.
+    EXPECT_LT(largest_distance(mesh, 3.), 3. * 4. / 27. * std::pow(17. / 4. * pi / 180., 6));
+  }
+}
+
+TEST(SmoothSides, ArcsThatEndAtCornersToo)
+{
+  std::vector<double> degrees;
+  for (int i = 0; i <= 12; ++i)
+    degrees.push_back(15. * i);
+  RawMesh mesh = polygon(on_circle(degrees, 1.)); // a half disc: the last edge is its diameter
+  smooth_sides(mesh, {}, corner_angle);
+  EXPECT_TRUE(mesh.boundary_edges.back().curve.empty());
+  mesh.boundary_edges.pop_back();
+  EXPECT_LT(largest_distance(mesh, 1.), 4. / 27. * std::pow(15. / 4. * pi / 180., 6));
+}
+
+TEST(SmoothSides, StraightRunsStayStraightWhereAnArcBegins)
+{
+  // A slot: two straight edges, a half circle in ten, two straight edges, a flat end.
+  std::vector<Vector2> points = {{2., -1.}, {1., -1.}};
+  for (int i = 0; i <= 10; ++i)
+    points.emplace_back(-std::sin(pi * i / 10.), -std::cos(pi * i / 10.));
+  points.emplace_back(1., 1.);
+  points.emplace_back(2., 1.);
+  std::reverse(points.begin(), points.end());
+  RawMesh mesh = polygon(points);
+  smooth_sides(mesh, {}, corner_angle);
+  for (const auto &edge : mesh.boundary_edges)
+  {
+    const bool on_arc = std::max(points[edge.vertices[0]].x(), points[edge.vertices[1]].x()) < 1e-12;
+    EXPECT_EQ(edge.curve.empty(), !on_arc);
+    for (const Vector2 &point : edge.curve)
+      EXPECT_NEAR(point.norm(), 1., 1e-6);
+  }
+}
+
+TEST(SmoothSides, PolygonsAndBluntCornersBetweenStraightRunsStay)
+{
+  const double slope = std::tan(10. * pi / 180.);
+  for (const std::vector<Vector2> &points :
+       {std::vector<Vector2>{{0., 0.}, {1., 0.}, {2., 0.}, {2., 1.}, {0., 1.}},
+        std::vector<Vector2>{{0., 0.}, {1., 0.}, {2., 0.}, {3., slope}, {4., 2. * slope}, {0., 5.}}})
+  {
+    RawMesh mesh = polygon(points);
+    smooth_sides(mesh, {}, corner_angle);
+    for (const auto &edge : mesh.boundary_edges)
+      EXPECT_TRUE(edge.curve.empty());
+  }
+}
+
+TEST(SmoothSides, ACurveEndsWhereItsSideEnds)
+{
+  std::vector<double> degrees;
+  for (int i = 0; i < 36; ++i)
+    degrees.push_back(10. * i);
+  RawMesh mesh = polygon(on_circle(degrees, 1.));
+  for (std::size_t i = 9; i < 36; ++i)
+    mesh.boundary_edges[i].side = 2;
+  // Move a point of the other side: the first side does not feel it.
+  mesh.vertices[10] *= 1.02;
+  smooth_sides(mesh, {}, corner_angle);
+  for (std::size_t i = 0; i < 9; ++i)
+    for (const Vector2 &point : mesh.boundary_edges[i].curve)
+      EXPECT_NEAR(point.norm(), 1., 1e-8);
+}
+
+TEST(MeshCurves, RefinedRingsHaveTheirAreaAndLengths)
+{
+  for (const bool triangles : {false, true})
+  {
+    const auto body = body_from_text("ring.msh", quarter_ring(6, triangles));
+    const auto mesh = make_mesh(body);
+    ASSERT_TRUE(mesh->curved);
+    const double straight_error = std::abs(area(*mesh, 1) - .75 * pi);
+    // Degree 1: the polygon of vertices on the circle, whose area lacks a quarter as much with every split.
+    refine(*mesh);
+    EXPECT_NEAR(std::abs(area(*mesh, 1) - .75 * pi) / straight_error, .25, .01);
+    refine(*mesh);
+    for (const auto &cell : mesh->triangulation.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && face->boundary_id() <= 2)
+          for (const unsigned int v : {0, 1})
+          {
+            EXPECT_NEAR(face->vertex(v).norm(), face->boundary_id() == 1 ? 1. : 2., 2e-7);
+          }
+    // Degree 2: order 4.
+    EXPECT_NEAR(area(*mesh, 2), .75 * pi, 1e-6);
+    EXPECT_NEAR(side_length(*mesh, "bore", 2), .5 * pi, 1e-6);
+    EXPECT_GT(smallest_jacobian(*mesh, 2), .4);
+  }
+}
+
+TEST(MeshCurves, PlacedCurvesMoveWithTheBody)
+{
+  auto body = body_from_text("placed.msh", quarter_ring(6, false));
+  body.placement = Placement(3., true, 35., {1., -2.});
+  const auto mesh = make_mesh(body);
+  refine(*mesh);
+  EXPECT_NEAR(area(*mesh, 2), 9. * .75 * pi, 1e-4);
+  for_each_edge(body, *mesh, "bore", [](const Vector2 &a, const Vector2 &b) {
+    EXPECT_NEAR(a.norm(), 1., 2e-7);
+    EXPECT_NEAR(b.norm(), 1., 2e-7);
+  });
+}
+
+TEST(MeshCurves, AsMeshedIsThePolygon)
+{
+  auto body = body_from_text("as_meshed.msh", quarter_ring(6, false));
+  body.boundary_curve = BoundaryCurve::as_meshed;
+  const auto mesh = make_mesh(body);
+  EXPECT_FALSE(mesh->curved);
+  const double before = area(*mesh, 1);
+  refine(*mesh);
+  EXPECT_NEAR(area(*mesh, 1), before, 1e-14);
+  const SideFacets &facets = mesh->facets.at(2);
+  EXPECT_EQ(facets.n_edges, 6u);
+  EXPECT_NEAR(facets.largest_kink, 15., 1e-10);
+  EXPECT_NEAR(facets.height, 2. * (1. - std::cos(7.5 * pi / 180.)), 2e-3 * facets.height);
+  EXPECT_FALSE(facets.followed);
+}
+
+TEST(MeshCurves, CornersBelowTheCornerAngleAreNamed)
+{
+  auto body = body_from_text("coarse.msh", quarter_ring(3, false)); // 30 degrees a kink
+  EXPECT_EQ(make_mesh(body)->facets.at(1).n_blunt_corners, 1u);
+  body.corner_angle = 31.;
+  const auto mesh = make_mesh(body);
+  EXPECT_EQ(mesh->facets.at(1).n_blunt_corners, 0u);
+  EXPECT_NEAR(side_length(*mesh, "1", 3), .5 * pi, 1e-3);
+}
+
+TEST(MeshCurves, GeometryFilesAreMeshedOnTheirCurves)
+{
+  const std::string quarter =
+      "Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {2,0,0}; Point(4) = {0,2,0};\n"
+      "Point(5) = {0,1,0}; Line(1) = {2,3}; Circle(2) = {3,1,4}; Line(3) = {4,5};\n"
+      "Circle(4) = {5,1,2}; Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1};\n";
+  auto body = body_from_text("ring.geo", quarter);
+  for (const double size : {.6, .3})
+    for (const CellType type : {CellType::quadrilaterals, CellType::triangles})
+    {
+      body.mesh_size.everywhere = size;
+      body.cell_type = type;
+      const auto mesh = make_mesh(body);
+      EXPECT_EQ(mesh->cell_type, type);
+      // No physical lines: sides by the numbers of the curves.
+      EXPECT_EQ(mesh->boundaries.size(), 4u);
+      refine(*mesh);
+      EXPECT_NEAR(area(*mesh, 2), .75 * pi, 1e-2 * std::pow(size, 4));
+      for_each_edge(body, *mesh, "4",
+                    [](const Vector2 &a, const Vector2 &) { EXPECT_NEAR(a.norm(), 1., 1e-10); });
+    }
+  // A named line, and the error in a line of the file.
+  body = body_from_text("named.geo", quarter + "Physical Curve(\"bore\", 7) = {4};\n");
+  EXPECT_EQ(boundary_id(*make_mesh(body), "bore"), 7u);
+  body = body_from_text("wrong.geo", quarter + "Plane Surface(2) = {;\n");
+  expect_refused([&] { make_mesh(body); }, "the Gmsh library cannot read it (line 4: syntax error");
+}
+
+TEST(MeshCurves, OutlinesAreMeshedOnTrueArcs)
+{
+  BodyDescription body = make_body("outline", {}, {{1, 1}});
+  body.outline = parse_outline(
+      "(1, 0) -> (2, 0) -> rim: centre (0, 0) (0, 2) -> (0, 1) -> bore: centre (0, 0) (1, 0)", {}, "Outline");
+  body.mesh_size = parse_mesh_size("0.5; bore: 0.1", {}, "Mesh size");
+  for (const CellType type : {CellType::quadrilaterals, CellType::triangles})
+  {
+    body.cell_type = type;
+    const auto mesh = make_mesh(body);
+    EXPECT_EQ(mesh->cell_type, type);
+    EXPECT_NEAR(area(*mesh, 2), .75 * pi, 1e-4);
+    EXPECT_NEAR(side_length(*mesh, "rim", 2), pi, 1e-4);
+    EXPECT_GE(mesh->facets.at(boundary_id(*mesh, "bore")).n_edges, 12u); // edges of .1
+    EXPECT_LE(mesh->facets.at(boundary_id(*mesh, "rim")).n_edges, 12u);  // less where no size is asked for
+  }
+  body.mesh_size = parse_mesh_size("0.5; hole: 0.1", {}, "Mesh size");
+  expect_refused([&] { make_mesh(body); }, "Mesh size names a side `hole`, there is none");
+}
+
+TEST(MeshCurves, SidesTakenTogether)
+{
+  const auto mesh = make_mesh(body_from_text("united.msh", quarter_ring(4, false)));
+  const double both = side_length(*mesh, "bore", 1) + side_length(*mesh, "2", 1);
+  unite_sides(*mesh, "bore + 2");
+  EXPECT_NEAR(side_length(*mesh, "bore + 2", 1), both, 1e-12);
+  EXPECT_EQ(mesh->facets.at(boundary_id(*mesh, "bore + 2")).n_edges, 8u);
+  expect_refused([&] { boundary_id(*mesh, "2"); },
+                 "has no side '2'; its sides are bore + 2 from (1, 0) to (2, 0) and from (0, 1) to (0, 2), 3 "
+                 "from (1, 0) to (2, 0), 4");
+  expect_refused([&] { unite_sides(*mesh, "3 + 3"); }, "has `3` twice");
+  expect_refused([&] { unite_sides(*mesh, "3 + 9"); }, "has no side '9'");
+}
+
+TEST(MeshCurves, BuiltInShapesDoNotStartTheLibrary)
+{
+  const unsigned int before = GmshLibrary::n_starts();
+  make_mesh(make_body("ring", {1., 2.}, {{4, 2}}));
+  EXPECT_EQ(GmshLibrary::n_starts(), before);
+  make_mesh(body_from_text("once.msh", quarter_ring(3, false)));
+  EXPECT_EQ(GmshLibrary::n_starts(), before + 1);
+}
