@@ -37,7 +37,11 @@ namespace abut
   {
     std::string name;
     for (const std::string &side : split_outside_parentheses(text, '+'))
+    {
+      if (side.empty())
+        return trim(text); // `x+` is a name
       name += (name.empty() ? "" : " + ") + side;
+    }
     return name;
   }
 

@@ -40,9 +40,10 @@ namespace abut
     {
       for (Vector2 &vertex : mesh.vertices)
         vertex = placement.point_to_world(vertex);
-      for (auto &edge : mesh.boundary_edges)
-        for (Vector2 &point : edge.curve)
-          point = placement.point_to_world(point);
+      for (auto *const edges : {&mesh.boundary_edges, &mesh.inner_edges})
+        for (auto &edge : *edges)
+          for (Vector2 &point : edge.curve)
+            point = placement.point_to_world(point);
       for (auto &[side, facets] : mesh.facets)
         facets.height = placement.length_to_world(facets.height);
       if (placement.is_mirrored())
@@ -76,16 +77,25 @@ namespace abut
       triangulation.create_triangulation(vertices, cells, edges);
     }
 
+    void check_degree(const BodyDescription &body, const CellType cell_type)
+    {
+      if (cell_type == CellType::triangles && body.degree > 2)
+        throw UserError("Body " + body.name + "/Degree: degree " + std::to_string(body.degree) +
+                        " refused for triangles, allowed are 1 and 2");
+    }
+
     bool has_curves(const RawMesh &mesh)
     {
-      return std::any_of(mesh.boundary_edges.begin(), mesh.boundary_edges.end(),
-                         [](const auto &edge) { return !edge.curve.empty(); });
+      return !mesh.inner_edges.empty() || std::any_of(mesh.boundary_edges.begin(), mesh.boundary_edges.end(),
+                                                      [](const auto &edge) { return !edge.curve.empty(); });
     }
 
     /// Lets refined meshes follow the curves of the edges.
     void attach_charts(BodyMesh &mesh, const RawMesh &raw)
     {
-      mesh.charts = std::make_unique<CellCharts>(mesh.triangulation, raw.boundary_edges);
+      std::vector<RawMesh::BoundaryEdge> edges = raw.boundary_edges;
+      edges.insert(edges.end(), raw.inner_edges.begin(), raw.inner_edges.end());
+      mesh.charts = std::make_unique<CellCharts>(mesh.triangulation, edges);
       mesh.triangulation.signals.post_refinement.connect(
           [&mesh]() { mesh.charts->place_vertices(mesh.triangulation); });
     }
@@ -138,6 +148,7 @@ namespace abut
       shape.attach_curves(mesh->triangulation, body);
     else if (mesh->curved)
       attach_charts(*mesh, raw);
+    check_degree(body, mesh->cell_type);
     if (mesh->curved)
       check_jacobians(mesh->triangulation, *mesh->mapping(body.degree), body.degree, "Body " + body.name);
     return mesh;

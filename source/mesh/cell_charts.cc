@@ -71,6 +71,11 @@ namespace abut
       return image;
     }
 
+    Point moved(const Point &point, const Vector2 &shift)
+    {
+      return point + dealii::Tensor<1, 2>({shift.x(), shift.y()});
+    }
+
     /// A mapping of deal.II that takes its support points from charts.
     template <typename Interpolation> class Charted : public Interpolation
     {
@@ -154,8 +159,8 @@ namespace abut
       }
   }
 
-  std::vector<dealii::Point<2>> CellCharts::points(const Cell &cell,
-                                                   const std::vector<dealii::Point<2>> &unit_points) const
+  std::vector<dealii::Point<2>> CellCharts::charted(const Cell &cell,
+                                                    const std::vector<dealii::Point<2>> &unit_points) const
   {
     const Ancestry place = ancestry(cell);
     const auto faces = cells_.find(place.ancestor->index());
@@ -166,14 +171,66 @@ namespace abut
       else
       {
         const Point in_ancestor = place.at(unit);
-        const Vector2 shift = blended(cell->reference_cell(), faces->second, in_ancestor);
-        result.push_back(straight_image(place.ancestor, in_ancestor) +
-                         dealii::Tensor<1, 2>({shift.x(), shift.y()}));
+        result.push_back(moved(straight_image(place.ancestor, in_ancestor),
+                               blended(cell->reference_cell(), faces->second, in_ancestor)));
       }
     return result;
   }
 
-  void CellCharts::place_vertices(dealii::Triangulation<2, 2> &triangulation) const
+  bool CellCharts::is_charted(const Cell &cell) const
+  {
+    Cell ancestor = cell;
+    while (ancestor->level() > 0)
+      ancestor = ancestor->parent();
+    return cells_.count(ancestor->index()) > 0;
+  }
+
+  Vector2 CellCharts::shift_of_vertices(const Cell &cell, const Point &unit) const
+  {
+    Vector2 shift = Vector2::Zero();
+    for (const unsigned int v : cell->vertex_indices())
+      if (const auto found = moved_.find(cell->vertex_index(v)); found != moved_.end())
+        shift += cell->reference_cell().d_linear_shape_function(unit, v) * found->second;
+    return shift;
+  }
+
+  CellCharts::CurvedFaces CellCharts::uneven_faces(const Cell &cell) const
+  {
+    CurvedFaces uneven;
+    const auto reference = cell->reference_cell();
+    for (const unsigned int f : cell->face_indices())
+    {
+      if (cell->at_boundary(f) || !(cell->face(f)->has_children() || cell->neighbor_is_coarser(f)))
+        continue;
+      const Point start = reference.vertex<2>(reference.face_to_cell_vertices(f, 0, 1)),
+                  end = reference.vertex<2>(reference.face_to_cell_vertices(f, 1, 1));
+      std::vector<Point> units;
+      const LagrangeBasis basis(4);
+      for (const double s : basis.nodes())
+        units.push_back(start + s * (end - start));
+      std::vector<Vector2> curve;
+      const std::vector<Point> places = charted(cell, units);
+      for (std::size_t i = 0; i < units.size(); ++i)
+        curve.push_back(Vector2(places[i][0], places[i][1]) + shift_of_vertices(cell, units[i]));
+      uneven.emplace(f, Deviation(curve));
+    }
+    return uneven;
+  }
+
+  std::vector<dealii::Point<2>> CellCharts::points(const Cell &cell,
+                                                   const std::vector<dealii::Point<2>> &unit_points) const
+  {
+    std::vector<Point> result = charted(cell, unit_points);
+    if (moved_.empty() || !is_charted(cell))
+      return result;
+    const CurvedFaces uneven = uneven_faces(cell);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = moved(result[i], shift_of_vertices(cell, unit_points[i]) -
+                                       blended(cell->reference_cell(), uneven, unit_points[i]));
+    return result;
+  }
+
+  void CellCharts::place_vertices(dealii::Triangulation<2, 2> &triangulation)
   {
     for (const auto &cell : triangulation.cell_iterators())
       if (cell->level() > 0)
@@ -181,10 +238,22 @@ namespace abut
         std::vector<Point> corners;
         for (const unsigned int v : cell->vertex_indices())
           corners.push_back(cell->reference_cell().vertex<2>(v));
-        const std::vector<Point> places = points(cell, corners);
+        const std::vector<Point> places = charted(cell, corners);
         for (const unsigned int v : cell->vertex_indices())
           cell->vertex(v) = places[v];
       }
+    moved_.clear();
+    for (unsigned int level = 0; level < triangulation.n_levels(); ++level) // an edge's ends come before it
+      for (const auto &cell : triangulation.active_cell_iterators_on_level(level))
+        for (const unsigned int f : cell->face_indices())
+          if (!cell->at_boundary(f) && cell->face(f)->has_children() && is_charted(cell))
+          {
+            const auto face = cell->face(f);
+            Point &hanging = face->child(0)->vertex(1);
+            const Point middle = face->vertex(0) + .5 * (face->vertex(1) - face->vertex(0));
+            moved_[face->child(0)->vertex_index(1)] = Vector2(middle[0] - hanging[0], middle[1] - hanging[1]);
+            hanging = middle;
+          }
   }
 
   std::unique_ptr<dealii::Mapping<2, 2>> CellCharts::mapping(const bool triangles,

@@ -48,21 +48,6 @@ namespace abut
       return numbers;
     }
 
-    void make_mesh_of_geometry(const BodyDescription &body, const std::string &where, GmshContent &content)
-    {
-      content.is_geometry = elements(2, -1).empty() && !entities(2).empty();
-      if (!content.is_geometry || !entities(3).empty())
-        return;
-      set_gmsh_mesh_size(body.mesh_size, where);
-      if (body.cell_type == CellType::quadrilaterals)
-      {
-        constexpr double all_quadrilaterals = 3; // after Blossom
-        gmsh::option::setNumber("Mesh.RecombineAll", 1);
-        gmsh::option::setNumber("Mesh.RecombinationAlgorithm", all_quadrilaterals);
-      }
-      gmsh::model::mesh::generate(2);
-    }
-
     void read_nodes(GmshContent &content)
     {
       std::vector<std::size_t> tags;
@@ -72,12 +57,22 @@ namespace abut
         content.nodes[tags[i]] = {{places[3 * i], places[3 * i + 1], places[3 * i + 2]}};
     }
 
+    /// Of a geometry with physical surfaces, these alone are the part, as where Gmsh writes its mesh.
+    bool leaves_out(const std::vector<int> &physical, const GmshContent &content)
+    {
+      gmsh::vectorpair all;
+      gmsh::model::getPhysicalGroups(all, 2);
+      return content.is_geometry && physical.empty() && !all.empty();
+    }
+
     void read_cells(GmshContent &content)
     {
       for (const int surface : entities(2))
       {
         std::vector<int> physical;
         gmsh::model::getPhysicalGroupsForEntity(2, surface, physical);
+        if (leaves_out(physical, content))
+          continue;
         const int region = physical.empty() ? 0 : std::abs(physical.front());
         if (region != 0)
           gmsh::model::getPhysicalName(2, region, content.regions[region]);
@@ -96,7 +91,7 @@ namespace abut
           }
         }
       }
-      content.has_solids = !elements(3, -1).empty() || (content.is_geometry && !entities(3).empty());
+      content.has_solids = !elements(3, -1).empty() || (content.cells.empty() && !entities(3).empty());
     }
 
     std::vector<GmshContent::Side> sides_of_curve(const int curve)
@@ -172,14 +167,35 @@ namespace abut
     }
   } // namespace
 
-  GmshContent read_gmsh_model(const BodyDescription &body, const std::string &where)
+  bool prepare_gmsh_geometry(const BodyDescription &body, const std::string &where)
+  {
+    if (!elements(2, -1).empty() || entities(2).empty() || !entities(3).empty())
+      return false;
+    set_gmsh_mesh_size(body.mesh_size, where);
+    if (body.cell_type == CellType::quadrilaterals)
+    {
+      constexpr double all_quadrilaterals = 3; // after Blossom
+      gmsh::option::setNumber("Mesh.RecombineAll", 1);
+      gmsh::option::setNumber("Mesh.RecombinationAlgorithm", all_quadrilaterals);
+    }
+    return true;
+  }
+
+  void mesh_gmsh_geometry(const double size_factor)
+  {
+    gmsh::model::mesh::clear();
+    gmsh::option::setNumber("Mesh.MeshSizeFactor", size_factor);
+    gmsh::model::mesh::generate(2);
+  }
+
+  GmshContent read_gmsh_model(const bool is_geometry)
   {
     GmshContent content;
-    make_mesh_of_geometry(body, where, content);
+    content.is_geometry = is_geometry;
     read_nodes(content);
     read_cells(content);
     read_edges(content);
-    if (content.is_geometry && !content.has_solids)
+    if (is_geometry)
       read_curves(content);
     return content;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/plane_geometry.h>
 #include <abut/base/user_error.h>
+#include <abut/mesh/flat_corners.h>
 #include <abut/mesh/gmsh_content.h>
 #include <abut/mesh/gmsh_library.h>
 #include <abut/mesh/gmsh_mesh.h>
@@ -40,14 +41,19 @@ namespace abut
       for (std::size_t i = 0; i < body.regions.size(); ++i)
       {
         const std::string &asked = body.regions[i].region;
-        const auto found =
-            std::find_if(content.regions.begin(), content.regions.end(), [&](const auto &region) {
-              return region.second == asked || std::to_string(region.first) == asked;
-            });
-        if (found == content.regions.end())
+        std::vector<int> meant;
+        for (const auto &[number, name] : content.regions)
+          if (name == asked || std::to_string(number) == asked)
+            meant.push_back(number);
+        if (meant.empty())
           throw UserError(where + ": it has no region `" + asked + "` (Regions); its physical surfaces are " +
                           (names.empty() ? "none" : names));
-        materials[found->first] = static_cast<unsigned int>(i + 1);
+        if (meant.size() > 1 || materials[meant.front()] != 0)
+          throw UserError(where + ": `" + asked + "` (Regions) means " +
+                          (meant.size() > 1 ? "several of its physical surfaces"
+                                            : "a physical surface that Regions names already") +
+                          "; they are " + names);
+        materials[meant.front()] = static_cast<unsigned int>(i + 1);
       }
       return materials;
     }
@@ -73,7 +79,9 @@ namespace abut
           mesh_.warnings.push_back(
               {WarningCode::cells_cut,
                where + ": it mixes triangles and quadrilaterals; its " + std::to_string(n_quadrilaterals) +
-                   " quadrilaterals are cut in two, let Gmsh recombine all of them or none"});
+                   " quadrilaterals are cut in two; " +
+                   (content.is_geometry ? "another Mesh size may give quadrilaterals alone"
+                                        : "let Gmsh recombine all of them or none")});
         if (content.regions.size() > 1 && body.regions.empty())
           mesh_.warnings.push_back(
               {WarningCode::one_material, where + ": it has " + std::to_string(content.regions.size()) +
@@ -87,8 +95,18 @@ namespace abut
       {
         for (const auto &edge : content_.edges)
           curve_of_[either_way(edge.ends[0], edge.ends[1])] = edge.curve;
-        for (const auto &[ends, cell] : find_boundary_edges(mesh_))
+        const auto boundary = find_boundary_edges(mesh_);
+        for (const auto &[ends, cell] : boundary)
           add_boundary_edge(ends[0], ends[1], mesh_.cell_materials[cell]);
+        for (const auto &[nodes, curve] : content_.curves)
+        {
+          const auto start = number_.find(nodes[0]), end = number_.find(nodes[1]);
+          if (start == number_.end() || end == number_.end())
+            continue; // of no cell
+          const std::array<unsigned int, 2> ends{{start->second, end->second}};
+          if (boundary.count(ends) + boundary.count({{ends[1], ends[0]}}) == 0)
+            mesh_.inner_edges.push_back({ends, 0, curve});
+        }
       }
       /// The second-order nodes of the edges of the boundary; empty where none leaves its chord.
       std::vector<std::vector<Vector2>> between() const
@@ -206,17 +224,20 @@ namespace abut
                             std::to_string(found->second) + ", give it another name");
     }
 
+    constexpr double no_corners = 180.; // degrees: a geometry says itself where its corners are
+
     /// The curves that the edges stand for, and how they do.
     void add_curves(RawMesh &mesh, const std::vector<std::vector<Vector2>> &between,
                     const BodyDescription &body, const bool is_geometry)
     {
       if (!is_geometry)
         smooth_sides(mesh, between, body.corner_angle * M_PI / 180.);
-      mesh.facets = side_facets(mesh, body.corner_angle);
+      mesh.facets = side_facets(mesh, is_geometry ? no_corners : body.corner_angle);
       for (auto &[side, facets] : mesh.facets)
         facets.followed = body.boundary_curve == BoundaryCurve::smooth;
       if (body.boundary_curve == BoundaryCurve::smooth)
         return;
+      mesh.inner_edges.clear();
       for (std::size_t i = 0; i < mesh.boundary_edges.size(); ++i)
       {
         auto &[ends, side, curve, material] = mesh.boundary_edges[i];
@@ -225,28 +246,69 @@ namespace abut
           curve = {mesh.vertices[ends[0]], between[i].front(), mesh.vertices[ends[1]]};
       }
     }
+    RawMesh mesh_of(const GmshContent &content, const BodyDescription &body, const std::string &where)
+    {
+      check_gmsh_content(content, body, where);
+      Conversion conversion(content, body, where);
+      check_cells(conversion.mesh(), where);
+      check_unfolded(conversion.mesh(), where);
+      check_connected(conversion.mesh(), where);
+      conversion.add_sides();
+      RawMesh mesh = conversion.mesh();
+      check_names(content, mesh, where);
+      add_curves(mesh, conversion.between(), body, content.is_geometry);
+      swap_flat_corners(mesh);
+      return mesh;
+    }
+
+    /// Meshes a geometry; where that has not made the cells that were asked for, or bad ones, once more with
+    /// smaller cells.
+    RawMesh mesh_of_geometry(const BodyDescription &body, const std::string &where)
+    {
+      constexpr double smallest = .3, step = .1; // factors of the size
+      for (double size_factor = 1.;; size_factor -= step)
+      {
+        const bool is_last = size_factor - step < smallest;
+        mesh_gmsh_geometry(size_factor);
+        try
+        {
+          const RawMesh mesh = mesh_of(read_gmsh_model(true), body, where);
+          if (is_last || (mesh.cell_type == body.cell_type && !flat_corner(mesh)))
+            return mesh;
+        }
+        catch (const BadCells &)
+        {
+          if (is_last)
+            throw;
+        }
+      }
+    }
+
+    void check_flat_corners(const RawMesh &mesh, const std::string &where)
+    {
+      const auto place = flat_corner(mesh);
+      if (!place)
+        return;
+      std::ostringstream message;
+      message << where << ": a cell has two edges on a smooth curve, with the corner (" << place->x() << ", "
+              << place->y()
+              << ") between them, where its angle would be 180 degrees; give the corner an edge "
+              << "inside the body (another Mesh size or Cell type), or take Boundary curve = as meshed";
+      throw UserError(message.str());
+    }
   } // namespace
 
   RawMesh mesh_by_gmsh(const BodyDescription &body, const std::string &where,
                        const std::function<void()> &make_model)
   {
-    GmshContent content;
-    {
-      const GmshLibrary library;
-      with_our_words(where, [&]() {
-        make_model();
-        content = read_gmsh_model(body, where);
-      });
-    }
-    check_gmsh_content(content, body, where);
-    Conversion conversion(content, body, where);
-    check_cells(conversion.mesh(), where);
-    check_unfolded(conversion.mesh(), where);
-    check_connected(conversion.mesh(), where);
-    conversion.add_sides();
-    RawMesh mesh = conversion.mesh();
-    check_names(content, mesh, where);
-    add_curves(mesh, conversion.between(), body, content.is_geometry);
+    const GmshLibrary library;
+    RawMesh mesh;
+    with_our_words(where, [&]() {
+      make_model();
+      mesh = prepare_gmsh_geometry(body, where) ? mesh_of_geometry(body, where)
+                                                : mesh_of(read_gmsh_model(false), body, where);
+    });
+    check_flat_corners(mesh, where);
     return mesh;
   }
 } // namespace abut

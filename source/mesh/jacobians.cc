@@ -39,7 +39,8 @@ namespace abut
         {
           std::ostringstream message;
           message << where << ": a cell around (" << cell->center() << ") is too distorted by its curved side"
-                  << " (its Jacobian must be positive), more cells may help";
+                  << " (its Jacobian must be positive); more cells may help, for bodies from files also "
+                     "Boundary curve = as meshed";
           throw UserError(message.str());
         }
     }

@@ -47,15 +47,14 @@ namespace abut
           visit({{around[i], around[(i + 1) % around.size()]}}, c);
       }
     }
-
-    /// The cell on the left of every edge.
-    std::map<Edge, std::size_t> cells_by_edge(const RawMesh &mesh)
-    {
-      std::map<Edge, std::size_t> cells;
-      for_each_edge(mesh, [&](const Edge &edge, const std::size_t cell) { cells[edge] = cell; });
-      return cells;
-    }
   } // namespace
+
+  std::map<std::array<unsigned int, 2>, std::size_t> cells_by_edge(const RawMesh &mesh)
+  {
+    std::map<Edge, std::size_t> cells;
+    for_each_edge(mesh, [&](const Edge &edge, const std::size_t cell) { cells[edge] = cell; });
+    return cells;
+  }
 
   void check_cells(const RawMesh &mesh, const std::string &where)
   {
@@ -66,7 +65,7 @@ namespace abut
         message << where << ": a cell with a corner at (" << mesh.vertices[cell[0]].x() << ", "
                 << mesh.vertices[cell[0]].y()
                 << ") is too distorted (all its angles must be between 0 and 180 degrees)";
-        throw UserError(message.str());
+        throw BadCells(message.str());
       }
   }
 
@@ -80,7 +79,7 @@ namespace abut
       std::ostringstream message;
       message << where << ": two of its cells lie on each other at (" << place.x() << ", " << place.y()
               << "), the mesh is folded there or has a cell twice";
-      throw UserError(message.str());
+      throw BadCells(message.str());
     });
   }
 

@@ -77,6 +77,31 @@ namespace abut
       }
 
     private:
+      /// Whether a single edge is the straight line between arcs that touch it: it turns at its ends as the
+      /// arcs do over half of their own last edges, and not over half of both.
+      bool is_flat(const std::size_t piece) const
+      {
+        const Piece &p = pieces_[piece];
+        const auto before = [&](const std::size_t i) { return pieces_[i].before; };
+        const auto after = [&](const std::size_t i) { return pieces_[i].after; };
+        const std::optional<bool> at_start = touches(piece, p.before, before),
+                                  at_end = touches(piece, p.after, after);
+        return (at_start || at_end) && at_start.value_or(true) && at_end.value_or(true);
+      }
+      /// At one end; nothing where the neighbour's own curvature is not known.
+      template <typename Beyond>
+      std::optional<bool> touches(const std::size_t piece, const std::optional<std::size_t> neighbour,
+                                  const Beyond &beyond) const
+      {
+        if (!neighbour || !beyond(*neighbour))
+          return {};
+        const Vector2 own = pieces_[piece].chord(), next = pieces_[*neighbour].chord(),
+                      second = pieces_[*beyond(*neighbour)].chord();
+        const double curvature = 2. * turning(second, next) / (second.norm() + next.norm()),
+                     turn = turning(next, own);
+        const double as_line = .5 * curvature * next.norm(), as_arc = as_line + .5 * curvature * own.norm();
+        return std::abs(turn - as_line) < std::abs(turn - as_arc);
+      }
       /// Of the parameter, at an end with this tangent: exact for arcs up to the fifth power of their angle.
       static double speed(const Piece &piece, const Vector2 &tangent)
       {
@@ -87,8 +112,9 @@ namespace abut
       Vector2 tangent_between(const std::size_t piece, const std::size_t next) const
       {
         const Vector2 a = pieces_[piece].chord(), b = pieces_[next].chord();
-        if (is_in_line(piece) != is_in_line(next))
-          return (is_in_line(piece) ? a : b).normalized();
+        const bool flat = is_in_line(piece) || is_flat(piece), next_flat = is_in_line(next) || is_flat(next);
+        if (flat != next_flat)
+          return (flat ? a : b).normalized();
         return (a / a.squaredNorm() + b / b.squaredNorm()).normalized();
       }
       Vector2 start_tangent(const std::size_t piece) const

@@ -68,9 +68,8 @@ namespace abut
           "Conditions", "", Patterns::Anything(),
           "id: kind: formulas; id: kind: formulas; ... in x, y of the own frame. id: a side of the "
           "shape, a physical line of the mesh file (name or number), several of these as a + b, or a point "
-          "(x, y). Kinds, with the "
-          "number of "
-          "formulas: displacement (2), displacement x, displacement y, normal displacement, "
+          "(x, y). Kinds, with the number of formulas: displacement (2), displacement x, displacement y, "
+          "normal displacement, "
           "tangential displacement (1), traction (2), pressure (1, positive presses), resultant (1 "
           "along the outward normal, or 2: a rigid side that carries this force). Displacements "
           "are lengths before Scale; tractions and pressures stresses; resultants forces per "

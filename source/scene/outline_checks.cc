@@ -128,6 +128,11 @@ namespace abut
       for (std::size_t j = 0; j <= i; ++j)
         check_apart(polygons[i], polygons[j], where);
     for (std::size_t i = 1; i < polygons.size(); ++i)
+      for (std::size_t j = 1; j < polygons.size(); ++j)
+        if (i != j && is_inside(polygons[j], polygons[i].front()))
+          throw UserError(where + ": the curve from " + to_text(polygons[i].front()) +
+                          " lies in a hole, where no body is");
+    for (std::size_t i = 1; i < polygons.size(); ++i)
       if (!is_inside(polygons[0], polygons[i].front()))
         throw UserError(where + ": the curve from " + to_text(polygons[i].front()) +
                         " is no hole of the first one, it lies outside");

@@ -260,6 +260,60 @@ TEST(MeshFiles, RegionsOfOtherMaterials)
   expect_refused(run_text(scene("base: steel; base: rubber")), {"`base` is given twice"});
 }
 
+TEST(MeshFiles, ARoundInterfaceBetweenMaterialsIsFollowed)
+{
+  // A stiff core of radius 1 in a soft lining of radius 2 under u = -1e-3 (x, y) at the rim: Lame with
+  // displacement and radial stress continuous at radius 1 gives the energy.
+  const std::string core =
+      "SetFactory(\"OpenCASCADE\");\nDisk(1) = {0, 0, 0, 1, 1};\nDisk(2) = {0, 0, 0, 2, 2};\n"
+      "BooleanFragments{ Surface{2}; Delete; }{ Surface{1}; Delete; }\n"
+      "Physical Surface(\"core\") = {1}; Physical Surface(\"lining\") = {2};\n"
+      "rim() = Abs(CombinedBoundary{ Surface{:}; }); Physical Curve(\"rim\") = rim();\n"
+      "MeshSize{:} = 0.5;\n";
+  const std::string scene =
+      "set Bodies = a\nset Materials = soft\nsubsection Material soft\n set Young modulus = 1\nend\n"
+      "subsection Body a\n set Mesh file = " +
+      temporary_file("core.geo", core) +
+      "\n set Young modulus = 100\n set Regions = lining: soft\n set Conditions = rim: displacement: "
+      "-0.001*x, "
+      "-0.001*y\nend\n";
+  for (const std::string type : {"quadrilaterals", "triangles"})
+  {
+    const Answer answer = run_text(scene, with(degree(2), {"Body a/Cell type=" + type}));
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_NEAR(answer.summary["bodies"][0]["energy"].get<double>(), 3.5235e-5, 5e-4 * 3.5235e-5) << type;
+  }
+  expect_refused(run_text(scene, {"Body a/Regions=lining: soft; 2: soft"}),
+                 {"`2` (Regions)", "names already"});
+}
+
+TEST(MeshFiles, ARoundBodyThatContactAloneHoldsAdapts)
+{
+  // Between two plates: nothing but contact holds it, hanging nodes or not.
+  const auto plate = [](const std::string &name, const std::string &shift, const std::string &condition) {
+    return "subsection Body " + name + "\n set Size = 2, 1\n set Cells = 32, 16\n set Shift = -1, " + shift +
+           "\n set Young modulus = 100\n set Conditions = " + condition + "\nend\n";
+  };
+  const std::string scene =
+      "set Bodies = d, p, q\nset Contacts = c, e\nsubsection Body d\n set Shape = outline\n"
+      " set Outline = outer: circle (0, 0) 1\n set Mesh size = 0.2\n set Young modulus = 100\n set Adapt = "
+      "true\nend\n" +
+      plate("p", "1", "top: displacement: 0, -0.01") + plate("q", "-2", "bottom: displacement: 0, 0") +
+      "subsection Contact c\n set Slave = p:bottom\n set Master = d:outer\nend\n"
+      "subsection Contact e\n set Slave = q:top\n set Master = d:outer\nend\n";
+  for (const std::string type : {"quadrilaterals", "triangles"})
+  {
+    const Answer answer = run_text(scene, {"Body d/Cell type=" + type, "Adaptation/Estimator=kelly",
+                                           "Adaptation/Maximum passes=4", "Discretisation/Degree=2"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const double force = values_of(answer, "c").force;
+    EXPECT_GT(force, 0.);
+    EXPECT_NEAR(values_of(answer, "e").force, force,
+                2e-3 * force); // resultants balance; these are sums of |p|
+    expect_balance(answer);
+  }
+}
+
 TEST(MeshFiles, ASideHasOneNameInAScene)
 {
   const std::string lug = project_file("tests/data/cases/lug.geo");

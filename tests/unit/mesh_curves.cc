@@ -97,6 +97,28 @@ TEST(SmoothSides, StraightRunsStayStraightWhereAnArcBegins)
   }
 }
 
+TEST(SmoothSides, AFlatOfOneEdgeBetweenArcsStaysStraight)
+{
+  // A stadium; the flats as long as an edge of the arcs, and much longer.
+  for (const double length : {.314, 3.})
+  {
+    std::vector<Vector2> points;
+    for (int i = 0; i <= 10; ++i)
+      points.emplace_back(.5 * length + std::sin(pi * i / 10.), -std::cos(pi * i / 10.));
+    for (int i = 0; i <= 10; ++i)
+      points.emplace_back(-.5 * length - std::sin(pi * i / 10.), std::cos(pi * i / 10.));
+    RawMesh mesh = polygon(points);
+    smooth_sides(mesh, {}, corner_angle);
+    for (const auto &edge : mesh.boundary_edges)
+    {
+      const bool is_flat = points[edge.vertices[0]].x() * points[edge.vertices[1]].x() < 0.;
+      EXPECT_EQ(edge.curve.empty(), is_flat) << length;
+      for (const Vector2 &point : edge.curve)
+        EXPECT_NEAR((point - Vector2(std::copysign(.5 * length, point.x()), 0.)).norm(), 1., 1e-6);
+    }
+  }
+}
+
 TEST(SmoothSides, PolygonsAndBluntCornersBetweenStraightRunsStay)
 {
   const double slope = std::tan(10. * pi / 180.);
@@ -238,6 +260,47 @@ TEST(MeshCurves, OutlinesAreMeshedOnTrueArcs)
   }
   body.mesh_size = parse_mesh_size("0.5; hole: 0.1", {}, "Mesh size");
   expect_refused([&] { make_mesh(body); }, "Mesh size names a side `hole`, there is none");
+}
+
+TEST(MeshCurves, CornersOfCellsAreNotFlat)
+{
+  // A disc: coarse cells of the mesher have two edges on the rim, unless that is mended.
+  BodyDescription body = make_body("outline", {}, {{1, 1}});
+  body.outline = parse_outline("rim: circle (0, 0) 1", {}, "Outline");
+  for (const unsigned int degree : {1u, 2u, 3u})
+    for (const CellType type : {CellType::quadrilaterals, CellType::triangles})
+    {
+      body.cell_type = type;
+      body.degree = degree;
+      if (type == CellType::triangles && degree == 3)
+      {
+        expect_refused([&] { make_mesh(body); }, "degree 3 refused for triangles");
+        continue;
+      }
+      const auto mesh = make_mesh(body);
+      EXPECT_EQ(mesh->cell_type, type);
+      refine(*mesh);
+      EXPECT_GT(smallest_jacobian(*mesh, degree), .1);
+      EXPECT_NEAR(area(*mesh, degree), pi, degree == 1 ? .02 : 1e-4);
+    }
+}
+
+TEST(MeshCurves, OnlyPhysicalSurfacesAreThePart)
+{
+  const std::string squares =
+      "Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,1,0}; Point(4) = {0,1,0};\n"
+      "Point(5) = {2,0,0}; Point(6) = {2,1,0};\n"
+      "Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1};\n"
+      "Line(5) = {2,5}; Line(6) = {5,6}; Line(7) = {6,3};\n"
+      "Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1};\n"
+      "Curve Loop(2) = {5,6,7,-2}; Plane Surface(2) = {2};\n"
+      "Physical Curve(\"right\") = {2};\n";
+  EXPECT_NEAR(area(*make_mesh(body_from_text("left.geo", squares + "Physical Surface(1) = {1};\n")), 1), 1.,
+              1e-12);
+  EXPECT_NEAR(area(*make_mesh(body_from_text("both.geo", squares + "Physical Surface(1) = {1, 2};\n"
+                                                                   "Physical Curve(\"end\") = {6};\n")),
+                   1),
+              2., 1e-12);
 }
 
 TEST(MeshCurves, SidesTakenTogether)

@@ -90,6 +90,7 @@ TEST(Outline, WhatCannotBeReadIsRefused)
   expect_refused("(0, 0) -> (1, 0) -> (1, 0) -> close", "a piece ends where it begins, at (1, 0)");
   expect_refused("(0, 0) -> (1, 1) -> (1, 0) -> (0, 1) -> close", "its curves meet near");
   expect_refused("circle (0, 0) 1; circle (3, 0) 1", "lies outside");
+  expect_refused("circle (0, 0) 3; circle (0, 0) 2; circle (0, 0) 1", "lies in a hole");
   expect_refused("circle (0, 0) 1; circle (1, 0) 1", "its curves meet near");
   expect_refused("circle (0, 0) -1", "allowed are radii above 0");
   expect_refused("circle (0, 0)", "circle (x, y) radius");

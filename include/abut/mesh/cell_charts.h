@@ -22,7 +22,8 @@ namespace abut
   /**
    * The cells that a mesh began with as smooth images of the reference cell, whose edges on the boundary
    * follow curves. What refinement makes of such a cell are pieces of that one image: new vertices lie on the
-   * curves, inner edges follow them, and no cell folds that its ancestor does not fold.
+   * curves, inner edges follow them, and no cell folds that its ancestor does not fold. Edges between a cell
+   * and finer ones are straight, for both: so the cells fit, and what is linear in the plane is a field.
    *
    * Blending: quadrilaterals after Coons, triangles after Szabo and Babuska (Finite Element Analysis, 1991,
    * ch. 6): what an edge deviates from its chord fades towards the opposite side.
@@ -38,8 +39,9 @@ namespace abut
     std::vector<dealii::Point<2>> points(const dealii::Triangulation<2, 2>::cell_iterator &cell,
                                          const std::vector<dealii::Point<2>> &unit_points) const;
 
-    /// Puts every vertex of a refined mesh where the charts have it.
-    void place_vertices(dealii::Triangulation<2, 2> &triangulation) const;
+    /// Puts every vertex of a refined mesh where the charts have it, those on edges of coarser cells into
+    /// their middle.
+    void place_vertices(dealii::Triangulation<2, 2> &triangulation);
 
     /// Polynomials of a degree (triangles: 1 or 2) that interpolate the charts in every cell. The charts must
     /// outlive it.
@@ -60,6 +62,16 @@ namespace abut
     static Vector2 blended(const dealii::ReferenceCell &reference, const CurvedFaces &faces,
                            const dealii::Point<2> &unit);
 
-    std::map<int, CurvedFaces> cells_; // by index on level 0
+    std::vector<dealii::Point<2>> charted(const dealii::Triangulation<2, 2>::cell_iterator &cell,
+                                          const std::vector<dealii::Point<2>> &unit_points) const;
+    bool is_charted(const dealii::Triangulation<2, 2>::cell_iterator &cell) const;
+    /// The shift of a point by the vertices that have been moved off the charts.
+    Vector2 shift_of_vertices(const dealii::Triangulation<2, 2>::cell_iterator &cell,
+                              const dealii::Point<2> &unit) const;
+    /// What edges between the cell and finer or coarser ones deviate from their chords.
+    CurvedFaces uneven_faces(const dealii::Triangulation<2, 2>::cell_iterator &cell) const;
+
+    std::map<int, CurvedFaces> cells_;      // by index on level 0
+    std::map<unsigned int, Vector2> moved_; // vertices, by index: how far off the charts
   };
 } // namespace abut

@@ -46,9 +46,16 @@ namespace abut
     std::map<std::array<std::size_t, 2>, std::vector<Vector2>> curves;
   };
 
-  /// Of the library's present model; a geometry without cells is meshed with `Cell type` and `Mesh size` of
-  /// the body first. Throws what the library throws.
-  GmshContent read_gmsh_model(const BodyDescription &body, const std::string &where);
+  // All of them throw what the library throws.
+
+  /// Whether its present model is a geometry of a plane part without cells; if so, tells the library `Cell
+  /// type` and `Mesh size` of the body. Throws UserError, beginning with `where`, for sides of `Mesh size`
+  /// that it does not have.
+  bool prepare_gmsh_geometry(const BodyDescription &body, const std::string &where);
+  /// Meshes the geometry anew, with all sizes times a factor.
+  void mesh_gmsh_geometry(double size_factor);
+  /// `is_geometry`: the cells are of mesh_gmsh_geometry.
+  GmshContent read_gmsh_model(bool is_geometry);
 
   /// `7 (bore)`.
   std::string to_string(const GmshContent::Side &side);

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/user_error.h>
 #include <abut/mesh/raw_mesh.h>
 
 namespace abut
 {
-  // What can be wrong with a mesh from elsewhere. `where` begins the message of the UserError.
+  /// Cells that cannot be computed with.
+  class BadCells : public UserError
+  {
+  public:
+    using UserError::UserError;
+  };
+
+  // What can be wrong with a mesh from elsewhere. `where` begins the message of the UserError,
+  // which is BadCells where single cells are wrong.
 
   /**
    * Refuses cells that have no area, are not convex or are wound the wrong way round (their straight image
@@ -21,6 +30,9 @@ namespace abut
 
   /// Refuses meshes of several parts: not every cell can be reached through edges.
   void check_connected(const RawMesh &mesh, const std::string &where);
+
+  /// The cell on the left of every edge, whichever way it runs.
+  std::map<std::array<unsigned int, 2>, std::size_t> cells_by_edge(const RawMesh &mesh);
 
   /// The edges of one cell alone, with the body on their left, and that cell. The mesh is not folded.
   std::map<std::array<unsigned int, 2>, std::size_t> find_boundary_edges(const RawMesh &mesh);

@@ -46,6 +46,8 @@ namespace abut
     std::vector<Vector2> vertices;
     std::vector<std::vector<unsigned int>> cells;
     std::vector<BoundaryEdge> boundary_edges;
+    std::vector<BoundaryEdge>
+        inner_edges; ///< that stand for curves inside, between materials; without a side
     std::map<std::string, unsigned int> sides; ///< names of the sides and their boundary ids
     std::vector<unsigned int> cell_materials;  ///< see CellMaterials; empty: all 0
     std::vector<Warning> warnings;             ///< what the user should hear of it

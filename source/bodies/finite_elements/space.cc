@@ -57,9 +57,8 @@ namespace abut
   Space::Space(std::unique_ptr<BodyMesh> mesh, const unsigned int degree)
       : mesh_(std::move(mesh)), mapping_(mesh_->mapping(degree)), dof_handler_(mesh_->triangulation)
   {
-    if (mesh_->cell_type == CellType::triangles && degree > 2)
-      throw UserError("Body " + mesh_->name + "/Degree: degree " + std::to_string(degree) +
-                      " refused for triangles, allowed are 1 and 2");
+    Assert(mesh_->cell_type == CellType::quadrilaterals || degree <= 2,
+           dealii::ExcMessage("make_mesh refuses triangles of higher degree"));
     quadrature_ = gauss_rule(*this, degree + 1);
     element_ = std::make_unique<dealii::FESystem<2>>(*scalar_element(mesh_->cell_type, degree), 2);
     distribute();

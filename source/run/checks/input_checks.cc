@@ -71,33 +71,51 @@ namespace abut
       return warnings;
     }
 
+    /// A round side in too few edges is a polygon, whatever it is for.
+    Warnings coarse_curve_warnings(const Body &body, const std::string &side)
+    {
+      const auto facets = body.facets(side);
+      if (!facets || facets->n_blunt_corners == 0)
+        return {};
+      std::ostringstream text;
+      text.precision(3);
+      text << "Body " << body.name() << ": its side " << side << " turns by up to " << facets->largest_kink
+           << " degrees between its edges, which are taken for corners one after the other; if the side is "
+              "round, raise Body "
+           << body.name() << "/Corner angle or mesh it finer";
+      return {{WarningCode::coarse_curve, text.str()}};
+    }
+
     /// What straight edges of a mesh file do to a gap.
     Warnings facets_warnings(const Body &body, const std::string &side, const ContactPair &pair)
     {
       constexpr double noticeable = .05; // of the smallest gap or the overlap
       const auto facets = body.facets(side);
-      Warnings warnings;
-      if (!facets)
-        return warnings;
+      if (!facets || facets->followed || !pair.gap_from_geometry() ||
+          !(facets->height > noticeable * std::abs(pair.smallest_gap())))
+        return {};
       std::ostringstream text;
       text.precision(3);
-      text << "Contact " << pair.name() << ": the side " << body.name() << ':' << side;
-      if (facets->n_blunt_corners > 0)
-      {
-        text << " turns by up to " << facets->largest_kink
-             << " degrees between its edges, which are taken for corners one after the other; if the side is "
-                "round, raise Body "
-             << body.name() << "/Corner angle or mesh it finer";
-        warnings.push_back({WarningCode::coarse_curve, text.str()});
-      }
-      else if (!facets->followed && pair.gap_from_geometry() &&
-               facets->height > noticeable * std::abs(pair.smallest_gap()))
-      {
-        text << " is taken as meshed: its straight edges are up to " << facets->height
-             << " off the smooth curve through them, the smallest gap is " << pair.smallest_gap()
-             << "; if the side is round, set Body " << body.name() << "/Boundary curve = smooth";
-        warnings.push_back({WarningCode::facets, text.str()});
-      }
+      text << "Contact " << pair.name() << ": the side " << body.name() << ':' << side
+           << " is taken as meshed: its straight edges are up to " << facets->height
+           << " off the smooth curve through them, the smallest gap is " << pair.smallest_gap()
+           << "; if the side is round, set Body " << body.name() << "/Boundary curve = smooth";
+      return {{WarningCode::facets, text.str()}};
+    }
+
+    Warnings file_warnings(const Scene &scene, const Body &body)
+    {
+      Warnings warnings = body.mesh_warnings();
+      std::set<std::string> sides;
+      for (const Condition &condition : body.description().conditions)
+        if (!condition.point)
+          sides.insert(condition.boundary);
+      for (const ContactDescription &contact : scene.contacts)
+        for (const Side &side : {contact.slave, contact.master})
+          if (side.body == body.name())
+            sides.insert(side.boundary);
+      for (const std::string &side : sides)
+        append(warnings, coarse_curve_warnings(body, side));
       return warnings;
     }
 
@@ -118,7 +136,7 @@ namespace abut
     for (const auto &body : model.bodies())
       append(warnings, load_on_support_warnings(*body));
     for (const auto &body : model.bodies())
-      append(warnings, body->mesh_warnings());
+      append(warnings, file_warnings(scene, *body));
     for (std::size_t i = 0; i < model.pairs().size(); ++i)
     {
       const ContactPair &pair = *model.pairs()[i];
