@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Bodies of several materials.
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+using namespace abut::testing;
+
+TEST(Regions, RegionsOfOtherMaterials)
+{
+  // Two layers on each other under uniform strain (rollers at the sides): sigma_yy is the same in both, the
+  // thickness H_a/M_a with M = E (1 - nu)/((1 + nu)(1 - 2 nu)) gives. A third body presses on top.
+  const std::string layers =
+      "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 2, 1};\n"
+      "Rectangle(2) = {0, 1, 0, 2, 0.5};\nBooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Delete; }\n"
+      "Physical Surface(\"base\", 7) = {1}; Physical Surface(\"lining\", 8) = {2};\n"
+      "left() = Curve In BoundingBox {-.1, -.1, -.1, .1, 2, .1};\n"
+      "right() = Curve In BoundingBox {1.9, -.1, -.1, 2.1, 2, .1};\n"
+      "low() = Curve In BoundingBox {-.1, -.1, -.1, 2.1, .1, .1};\n"
+      "top() = Curve In BoundingBox {-.1, 1.4, -.1, 2.1, 1.6, .1};\n"
+      "Physical Curve(\"sides\") = {left(), right()}; Physical Curve(\"low\") = {low()};\n"
+      "Physical Curve(\"top\") = {top()}; MeshSize{ PointsOf{ Surface{:}; } } = .4;\n";
+  const auto scene = [&](const std::string &regions) {
+    return "set Bodies = stack, punch\nset Contacts = c\nset Materials = steel, rubber\n"
+           "subsection Material steel\n set Young modulus = 200\nend\n"
+           "subsection Material rubber\n set Young modulus = 3\n set Poisson ratio = 0.25\nend\n"
+           "subsection Body stack\n set Mesh file = " +
+           temporary_file("layers.geo", layers) + "\n set Regions = " + regions +
+           "\n set Conditions = sides: normal displacement: 0; low: displacement y: 0\nend\n"
+           "subsection Body punch\n set Size = 2, 1\n set Shift = 0, 1.5\n set Cells = 3, 2\n"
+           " set Young modulus = 50\n set Conditions = left: normal displacement: 0; right: normal "
+           "displacement: 0;"
+           " top: displacement y: -0.01\nend\n"
+           "subsection Contact c\n set Slave = punch:bottom\n set Master = stack:top\nend\n";
+  };
+  const auto modulus = [](const double e, const double nu) {
+    return e * (1. - nu) / ((1. + nu) * (1. - 2. * nu));
+  };
+  const double pressure = .01 / (1. / modulus(200., .3) + .5 / modulus(3., .25) + 1. / modulus(50., .3));
+  for (const std::string type : {"quadrilaterals", "triangles"})
+    for (const int p : {1, 2})
+    {
+      const Answer answer =
+          run_text(scene("base: steel; 8: rubber"),
+                   {"Discretisation/Degree=" + std::to_string(p), "Body stack/Cell type=" + type,
+                    "Body stack/Adapt=true", "Adaptation/Estimator=kelly", "Adaptation/Maximum passes=2"});
+      ASSERT_EQ(answer.status, 0) << answer.err;
+      EXPECT_EQ(answer.err, "");
+      EXPECT_NEAR(contact(answer, "c")["max_pressure"].get<double>(), pressure, 1e-9 * pressure);
+      EXPECT_NEAR(contact(answer, "c")["normal_force"].get<double>(), 2. * pressure, 1e-9 * pressure);
+      // Nothing to estimate: the stress is piecewise uniform.
+      EXPECT_LT(answer.summary["error"]["total"].get<double>(), 1e-7);
+    }
+  for (const std::string estimator : {"zz", "spr", "fe-be"})
+  {
+    expect_refused(
+        run_text(scene("base: steel"), {"Body stack/Adapt=true", "Adaptation/Estimator=" + estimator}),
+        {"Body stack: it has Regions of other materials", estimator, "allowed is kelly"});
+  }
+  expect_refused(run_text(scene("core: steel")), {"no region `core`", "7 (base), 8 (lining)"});
+  expect_refused(run_text(scene("base: gold")), {"Body stack/Regions", "base: gold", "list Materials"});
+  expect_refused(run_text(scene("base: steel; base: rubber")), {"`base` is given twice"});
+}
+
+TEST(Regions, ARoundInterfaceBetweenMaterialsIsFollowed)
+{
+  // A stiff core of radius 1 in a soft lining of radius 2 under u = -1e-3 (x, y) at the rim: Lame with
+  // displacement and radial stress continuous at radius 1 gives the energy.
+  const std::string core =
+      "SetFactory(\"OpenCASCADE\");\nDisk(1) = {0, 0, 0, 1, 1};\nDisk(2) = {0, 0, 0, 2, 2};\n"
+      "BooleanFragments{ Surface{2}; Delete; }{ Surface{1}; Delete; }\n"
+      "Physical Surface(\"core\") = {1}; Physical Surface(\"lining\") = {2};\n"
+      "rim() = Abs(CombinedBoundary{ Surface{:}; }); Physical Curve(\"rim\") = rim();\n"
+      "MeshSize{:} = 0.5;\n";
+  const std::string scene =
+      "set Bodies = a\nset Materials = soft\nsubsection Material soft\n set Young modulus = 1\nend\n"
+      "subsection Body a\n set Mesh file = " +
+      temporary_file("core.geo", core) +
+      "\n set Young modulus = 100\n set Regions = lining: soft\n set Conditions = rim: displacement: "
+      "-0.001*x, "
+      "-0.001*y\nend\n";
+  for (const std::string type : {"quadrilaterals", "triangles"})
+  {
+    const Answer answer = run_text(scene, {"Discretisation/Degree=2", "Body a/Cell type=" + type});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_NEAR(answer.summary["bodies"][0]["energy"].get<double>(), 3.5235e-5, 5e-4 * 3.5235e-5) << type;
+  }
+  expect_refused(run_text(scene, {"Body a/Regions=lining: soft; 2: soft"}),
+                 {"`2` (Regions)", "names already"});
+}
