@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace abut
 {
@@ -219,6 +220,44 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    /// Directions of the lines between materials, away from each vertex that they meet.
+    std::map<unsigned int, std::vector<Vector2>> lines_between_materials(const RawMesh &mesh)
+    {
+      std::map<unsigned int, std::vector<Vector2>> away;
+      const auto cells = cells_by_edge(mesh);
+      for (const auto &[edge, cell] : cells)
+      {
+        const auto other = cells.find({{edge[1], edge[0]}});
+        if (other != cells.end() && mesh.cell_materials[cell] != mesh.cell_materials[other->second])
+          away[edge[0]].push_back(mesh.vertices[edge[1]] -
+                                  mesh.vertices[edge[0]]); // the other way round: at its end
+      }
+      return away;
+    }
+
+    /// Of a mesh file, a round line between materials stays the polygon that it is.
+    void warn_of_round_lines(RawMesh &mesh, const std::string &where)
+    {
+      constexpr double straight = 1e-4, sharp_corner = M_PI / 3.; // radians
+      constexpr std::size_t several = 3;                          // fewer bends may be meant
+      std::vector<Vector2> bends;
+      for (const auto &[vertex, directions] : lines_between_materials(mesh))
+        if (directions.size() == 2)
+          if (const double turn = std::abs(turning(-directions[0], directions[1]));
+              turn > straight && turn < sharp_corner)
+            bends.push_back(mesh.vertices[vertex]);
+      if (bends.size() < several)
+        return;
+      std::ostringstream text;
+      text << where << ": the line between its materials bends at " << bends.size()
+           << " places, one of them (" << bends[0].x() << ", " << bends[0].y()
+           << "), and stays as meshed; a geometry file has it as a curve, a finer mesh has it better";
+      mesh.warnings.push_back({WarningCode::facets, text.str()});
+    }
+  } // namespace
+
   ConvertedMesh convert(const GmshContent &content, const BodyDescription &body, const std::string &where)
   {
     Conversion conversion(content, body, where);
@@ -226,7 +265,10 @@ namespace abut
     check_unfolded(conversion.mesh(), where);
     check_connected(conversion.mesh(), where);
     conversion.add_sides();
-    check_names(content, conversion.mesh(), where);
-    return {conversion.mesh(), conversion.between()};
+    ConvertedMesh result{conversion.mesh(), conversion.between()};
+    check_names(content, result.mesh, where);
+    if (!content.is_geometry)
+      warn_of_round_lines(result.mesh, where);
+    return result;
   }
 } // namespace abut

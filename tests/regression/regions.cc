@@ -3,6 +3,7 @@
 // Bodies of several materials.
 #include <gtest/gtest.h>
 
+#include "gmsh_files.h"
 #include "program.h"
 
 using namespace abut::testing;
@@ -86,6 +87,11 @@ TEST(Regions, ARoundInterfaceBetweenMaterialsIsFollowed)
     ASSERT_EQ(answer.status, 0) << answer.err;
     EXPECT_NEAR(answer.summary["bodies"][0]["energy"].get<double>(), 3.5235e-5, 5e-4 * 3.5235e-5) << type;
   }
+  // Of a mesh it stays a polygon, and the user hears of it.
+  const std::string mesh = written_by_gmsh(temporary_file("mesh.geo", core), "core.msh");
+  const Answer meshed = run_text(scene, {"Body a/Mesh file=" + mesh});
+  ASSERT_EQ(meshed.status, 0) << meshed.err;
+  EXPECT_EQ(warning_codes(meshed), std::multiset<std::string>{"facets"}) << meshed.err;
   expect_refused(run_text(scene, {"Body a/Regions=lining: soft; 2: soft"}),
                  {"`2` (Regions)", "names already"});
 }
