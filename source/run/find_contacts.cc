@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -54,16 +55,20 @@ namespace abut
       return result;
     }
 
-    /// The distance from the middle of an edge to another that faces it; infinite where it does not.
+    /// The distance from the ends and the middle of an edge to another that faces it and reaches as far;
+    /// infinite where it does not.
     double distance(const Edge &edge, const Edge &other)
     {
-      constexpr double opposed = -.7071067811865475;
-      const Vector2 along = other.end - other.start, middle = .5 * (edge.start + edge.end);
-      const double s = along.dot(middle - other.start) / along.squaredNorm();
-      const bool beside = s < 0. || s > 1.;
-      if (beside || (edge.end - edge.start).normalized().dot(along.normalized()) > opposed)
-        return std::numeric_limits<double>::infinity();
-      return (other.start + s * along - middle).norm();
+      const double opposed = -std::sqrt(.5); // cosine of 135 degrees
+      constexpr double end = 1e-9;           // of the edge: what only meets corner to corner does not face
+      double smallest = std::numeric_limits<double>::infinity();
+      const Vector2 along = other.end - other.start;
+      if ((edge.end - edge.start).normalized().dot(along.normalized()) > opposed)
+        return smallest;
+      for (const Vector2 &point : {edge.start, Vector2(.5 * (edge.start + edge.end)), edge.end})
+        if (const double s = along.dot(point - other.start) / along.squaredNorm(); s > end && s < 1. - end)
+          smallest = std::min(smallest, (other.start + s * along - point).norm());
+      return smallest;
     }
 
     double distance(const Polyline &a, const Polyline &b)

@@ -233,6 +233,12 @@ TEST(MachineParts, ContactsAreFoundWhereSidesFaceEachOther)
             (std::set<std::string>{"base.top-a.bottom", "base.top-b.bottom", "a.right-b.left"}));
   EXPECT_EQ(pairs(run_text(blocks, {"Contact distance=0.001"})),
             (std::set<std::string>{"base.top-a.bottom"}));
+  // A disc of eight edges stands on a vertex; a block that only meets another corner to corner faces none.
+  EXPECT_EQ(pairs(run_text(
+                blocks, {"Body a/Shape=disc", "Body a/Size=0.5", "Body a/Cells=2, 2", "Body a/Shift=0.7, 1.5",
+                         "Body a/Conditions=(0, 0.5): displacement: 0, -0.001; (0, 0): displacement x: 0",
+                         "Body b/Shift=4, 1"})),
+            (std::set<std::string>{"base.top-a.outer"}));
   expect_refused(run_text(blocks, {"Body a/Shift=1, 1.2", "Contact distance=0.001"}),
                  {"no sides of two bodies face each other within 0.001", "apart"});
 }

@@ -3,11 +3,11 @@
 // Bodies from mesh and geometry files, whose straight edges stand for curves. Inputs: tests/data/cases.
 #include <gtest/gtest.h>
 
+#include "gmsh_files.h"
 #include "program.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <gmsh.h>
 
 using namespace abut::testing;
 

@@ -3,10 +3,10 @@
 // The three ways of doc/your-own-geometry.md, as they stand on the page.
 #include <gtest/gtest.h>
 
+#include "gmsh_files.h"
 #include "program.h"
 #include <filesystem>
 #include <fstream>
-#include <gmsh.h>
 #include <regex>
 #include <sstream>
 
@@ -60,7 +60,7 @@ namespace
 TEST(YourOwnGeometry, ThreeWaysToTheSameLug)
 {
   const auto blocks = blocks_of("doc/your-own-geometry.md");
-  ASSERT_EQ(blocks.size(), 6u); // the last two are of Regions
+  ASSERT_EQ(blocks.size(), 7u); // the last three: Regions, a command
   const std::string outline = temporary_file("outline.prm", blocks[0]);
   const std::filesystem::path folder = std::filesystem::path(outline).parent_path();
   const auto written = [&](const std::string &name, const std::string &text) {

@@ -22,8 +22,8 @@ namespace abut
   /**
    * The cells that a mesh began with as smooth images of the reference cell, whose edges on the boundary
    * follow curves. What refinement makes of such a cell are pieces of that one image: new vertices lie on the
-   * curves, inner edges follow them, and no cell folds that its ancestor does not fold. Edges between a cell
-   * and finer ones are straight, for both: so the cells fit, and what is linear in the plane is a field.
+   * curves, inner edges follow them. But edges between a cell and finer ones are straight, for both: so the
+   * cells fit, and what is linear in the plane is a field.
    *
    * Blending: quadrilaterals after Coons, triangles after Szabo and Babuska (Finite Element Analysis, 1991,
    * ch. 6): what an edge deviates from its chord fades towards the opposite side.

@@ -8,7 +8,7 @@ namespace abut
   /**
    * Gives the edges of a mesh, whose boundary is known by points alone, the smooth curve through these: cubic
    * pieces whose tangents come from the circle through a point and its two neighbours, so that arcs come out
-   * as arcs (to 1e-9 of the radius where an edge turns by 11 degrees), and straight runs of edges stay
+   * as arcs (to 4/27 (a/4)^6 of the radius, a the angle of an edge), and straight runs of edges stay
    * straight. The curve breaks where the boundary turns by `corner_angle` (radians) or more and where one
    * side or material meets another; there its tangent is that of the circle through the next two points.
    *
