@@ -56,6 +56,9 @@ namespace abut
       throw UserError(where + ": it holds a solid, a body is a plane surface; give the section alone");
     if (body.mesh_size.is_given() && !content.is_geometry)
       throw UserError(where + ": Mesh size is given, but the file is a mesh already; allowed is 0");
+    if (content.is_geometry && body.corner_angle != BodyDescription().corner_angle)
+      throw UserError(where + ": Corner angle is given, but the curves of a geometry tell where corners are; "
+                              "leave it out");
     if (content.cells.empty())
       throw UserError(where + ": it holds no triangles and no quadrilaterals");
     if (content.highest_order > 2)

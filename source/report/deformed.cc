@@ -75,7 +75,7 @@ namespace abut
     DrawnBody drawn_body(const BodyResult &result, const Outlines &outlines, const double factor,
                          const Vector2 &shift)
     {
-      DrawnBody body{{}, mean_von_mises(result)};
+      DrawnBody body{{}, mean_von_mises(result), result.body->description().is_rigid};
       for (std::size_t i = 0; i < outlines.points.size(); ++i)
       {
         if (i == 0 || outlines.cells[i] != outlines.cells[i - 1])

@@ -95,8 +95,12 @@ namespace abut
       const double cell_width = frame.scale * std::sqrt(box.size().prod() / static_cast<double>(n_cells));
       out << "<g stroke=\"#000\" stroke-opacity=\"0.4\" stroke-linejoin=\"round\" stroke-width=\""
           << short_number(std::clamp(.04 * cell_width, .15, .8), 3) << "\">\n";
+      for (const DrawnBody &body : scene.bodies) // behind the others
+        if (body.is_rigid)
+          for (const Polyline &area : body.cells)
+            write_path(out, area, frame, true, "fill=\"#bbb\" stroke=\"none\"");
       for (const DrawnBody &body : scene.bodies)
-        for (std::size_t i = 0; i < body.cells.size(); ++i)
+        for (std::size_t i = 0; i < body.von_mises.size(); ++i)
           write_path(out, body.cells[i], frame, true, "fill=\"" + range.colour(body.von_mises[i]) + "\"");
       out << "</g>\n";
     }

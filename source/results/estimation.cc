@@ -93,7 +93,7 @@ namespace abut
     AssertDimension(eta.size(), scene.bodies.size());
     double largest = 0.;
     for (std::size_t a = 0; a < eta.size(); ++a)
-      if (scene.bodies[a].adapt || !scene.adapts())
+      if (eta[a].size() > 0 && (scene.bodies[a].adapt || !scene.adapts()))
         largest = std::max(largest, eta[a].maxCoeff());
     return largest;
   }

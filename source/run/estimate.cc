@@ -55,6 +55,8 @@ namespace abut
     estimation.errors.resize(bodies.size());
     estimation.eta.resize(bodies.size());
     for_each_body(bodies.size(), [&](const std::size_t a) {
+      if (bodies[a].body->description().is_rigid)
+        return; // no cells, no errors
       estimation.errors[a] =
           indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].estimate_forces});
       estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);

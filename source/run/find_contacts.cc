@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/plane_geometry.h>
 #include <abut/base/user_error.h>
+#include <abut/bodies/rigid/rigid_outline.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/run/find_contacts.h>
 
@@ -53,6 +54,30 @@ namespace abut
       for (auto &[id, side] : sides)
         result.push_back(std::move(side));
       return result;
+    }
+
+    std::vector<Polyline> sides_of(const RigidOutline &outline)
+    {
+      std::vector<Polyline> sides;
+      for (const std::string &name : outline.side_names())
+      {
+        const Trace trace = outline.side(name);
+        sides.push_back({name, {}});
+        for (const Segment &segment : trace.segments())
+          sides.back().edges.push_back({segment.points.front(), segment.points.back()});
+      }
+      return sides;
+    }
+
+    std::vector<Polyline> sides_of(const BodyDescription &body)
+    {
+      if (body.is_rigid)
+        return sides_of(RigidOutline(body));
+      const auto mesh = make_mesh(body);
+      for (const Condition &condition : body.conditions)
+        if (!condition.point)
+          unite_sides(*mesh, condition.boundary);
+      return sides_of(*mesh);
     }
 
     /// The distance from the ends and the middle of an edge to another that faces it and reaches as far;
@@ -109,11 +134,7 @@ namespace abut
         double smallest = std::numeric_limits<double>::infinity();
         for (const BodyDescription &body : scene.bodies)
         {
-          const auto mesh = make_mesh(body);
-          for (const Condition &condition : body.conditions)
-            if (!condition.point)
-              unite_sides(*mesh, condition.boundary);
-          sides_.push_back(sides_of(*mesh));
+          sides_.push_back(sides_of(body));
           smallest = std::min(smallest, extent(sides_.back()));
         }
         reach_ = scene.contact_distance > 0. ? scene.contact_distance : default_share * smallest;
@@ -126,7 +147,7 @@ namespace abut
           for (std::size_t b = a + 1; b < sides_.size(); ++b)
             for (const Polyline &slave : sides_[a])
               for (const Polyline &master : sides_[b])
-                if (is_near(slave, master))
+                if (!(scene_.bodies[a].is_rigid && scene_.bodies[b].is_rigid) && is_near(slave, master))
                 {
                   found.emplace_back();
                   found.back().slave = {scene_.bodies[a].name, slave.name};

@@ -18,10 +18,28 @@ namespace abut
     Assert(outermost != nullptr, dealii::ExcMessage("a part has pieces"));
     const auto pair = std::find_if(surface.pairs().begin(), surface.pairs().end(),
                                    [&](const ContactPair &p) { return p.link() == outermost->link; });
-    const Trace &cut = *pair->cut_side().trace, &other = *pair->other_side().trace;
-    return cut.is_plane_of_symmetry(cut.segments()[outermost->cut_segment], end) &&
-           other.is_plane_of_symmetry(other.segments()[outermost->other_segment], 1 - end); // it runs back
+    const auto ends_at_symmetry = [](const ContactBody &side, const std::size_t segment,
+                                     const std::size_t e) {
+      return side.is_rigid() || side.trace->is_plane_of_symmetry(side.trace->segments()[segment], e);
+    };
+    return ends_at_symmetry(pair->cut_side(), outermost->cut_segment, end) &&
+           ends_at_symmetry(pair->other_side(), outermost->other_segment, 1 - end); // it runs back
   }
+
+  namespace
+  {
+    /// Of those on both sides of a piece; a rigid side has none.
+    PartCell lengths_of_cells(const ContactPair &pair, const Piece &piece)
+    {
+      const double cut = pair.cut_side().trace->segments()[piece.cut_segment].length,
+                   other = pair.other_side().trace->segments()[piece.other_segment].length;
+      if (pair.cut_side().is_rigid())
+        return {other, other};
+      if (pair.other_side().is_rigid())
+        return {cut, cut};
+      return {std::min(cut, other), std::max(cut, other)};
+    }
+  } // namespace
 
   std::vector<PartCell> part_cells(const ContactSurface &surface)
   {
@@ -32,9 +50,7 @@ namespace abut
       for (const Piece &piece : surface.partition().pieces())
         if (piece.link == pair.link())
         {
-          const auto [shorter, longer] =
-              std::minmax({pair.cut_side().trace->segments()[piece.cut_segment].length,
-                           pair.other_side().trace->segments()[piece.other_segment].length});
+          const auto [shorter, longer] = lengths_of_cells(pair, piece);
           PartCell &cell = cells[piece.part];
           cell = {std::max(cell.shorter, shorter), std::max(cell.longer, longer)};
         }

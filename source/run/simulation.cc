@@ -21,7 +21,8 @@ namespace abut
     indicator_ = make_indicator(scene_.adaptation);
     if (indicator_)
       for (const auto &body : bodies())
-        indicator_->check(*body);
+        if (!body->description().is_rigid)
+          indicator_->check(*body);
   }
 
   void Simulation::check_supports() const

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <limits>
+#include <utility>
 
 namespace abut
 {
@@ -120,6 +122,26 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    /// Refuses what only bodies that deform, or have a mesh, have.
+    Material rigid_material(const ParameterHandler &prm, const std::string &where)
+    {
+      for (const auto &[entry, unused] : {std::pair("Young modulus", "1"),
+                                          {"Poisson ratio", "0.3"},
+                                          {"Degree", "0"},
+                                          {"Adapt", "false"},
+                                          {"Cells", "8, 8"},
+                                          {"Cell type", "quadrilaterals"},
+                                          {"Body force", ""}})
+        if (prm.get(entry) != unused)
+          throw UserError(
+              where + entry + ": received `" + prm.get(entry) +
+              "`, but a rigid body neither deforms nor has a mesh or a mass; leave the entry out");
+      return {std::numeric_limits<double>::infinity(), 0.};
+    }
+  } // namespace
+
   void BodyDescription::declare(ParameterHandler &prm)
   {
     declare_shape_parameters(prm);
@@ -139,7 +161,7 @@ namespace abut
     body.placement = parse_placement(prm, where);
     body.degree = parse_degree(prm, default_degree, body.cell_type, where);
     body.adapt = prm.get_bool("Adapt");
-    const Material material = parse_elasticity(prm, where);
+    const Material material = body.is_rigid ? rigid_material(prm, where) : parse_elasticity(prm, where);
     body.young_modulus = material.young_modulus;
     body.poisson_ratio = material.poisson_ratio;
     body.regions = parse_regions(prm.get("Regions"), materials, where + "Regions");

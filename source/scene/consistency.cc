@@ -38,6 +38,21 @@ namespace abut
                           side.body + "/Cell type) or the gap as an expression");
     }
 
+    /// Two rigid sides press with any force, and the pressures need cells that yield.
+    void check_rigid(const Scene &scene, const ContactDescription &contact)
+    {
+      const bool slave = scene.bodies[scene.body_index(contact.slave.body)].is_rigid,
+                 master = scene.bodies[scene.body_index(contact.master.body)].is_rigid;
+      const std::string where = "Contact " + contact.name;
+      if (slave && master)
+        throw UserError(where + ": its bodies " + contact.slave.body + " and " + contact.master.body +
+                        " are both rigid outlines, one at least has to deform");
+      if ((slave && contact.multipliers == MultiplierSide::slave) ||
+          (master && contact.multipliers == MultiplierSide::master))
+        throw UserError(where + "/Multipliers: received the side of a rigid outline, which has no cells; "
+                                "allowed are automatic or the other side");
+    }
+
     void check_contacts(const Scene &scene)
     {
       for (std::size_t i = 0; i < scene.contacts.size(); ++i)
@@ -54,6 +69,7 @@ namespace abut
           throw UserError(where + ": slave and master are the same side `" + contact.slave.body + ":" +
                           contact.slave.boundary + "`, two different ones are needed");
         check_geometric_gap(scene, contact);
+        check_rigid(scene, contact);
       }
     }
 
@@ -114,6 +130,8 @@ namespace abut
 
   void check_consistency(const Scene &scene)
   {
+    if (std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) { return body.is_rigid; }))
+      throw UserError("Bodies: all are rigid outlines, one at least has to deform");
     check_contacts(scene);
     check_resultants(scene);
     check_adaptation(scene);

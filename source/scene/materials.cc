@@ -29,6 +29,17 @@ namespace abut
     return material;
   }
 
+  namespace
+  {
+    std::string names_of(const Materials &materials)
+    {
+      std::string names;
+      for (const auto &[name, material] : materials)
+        names += (names.empty() ? "" : ", ") + name;
+      return names;
+    }
+  } // namespace
+
   std::vector<RegionMaterial> parse_regions(const std::string &text, const Materials &materials,
                                             const std::string &where)
   {
@@ -44,7 +55,8 @@ namespace abut
       const auto material = materials.find(trim(piece.substr(colon + 1)));
       if (material == materials.end())
         throw UserError(where + ": received `" + piece +
-                        "`, allowed are the materials of the list Materials");
+                        "`, allowed are the materials of the list Materials, which " +
+                        (materials.empty() ? "is empty" : "has " + names_of(materials)));
       if (std::any_of(regions.begin(), regions.end(), [&](const auto &r) { return r.region == region; }))
         throw UserError(where + ": the region `" + region + "` is given twice, once is allowed");
       regions.push_back({region, material->second});

@@ -15,9 +15,14 @@ namespace abut
                         "`2; bore: 0.5; (10, 0): 0.1`");
       return value;
     };
+    unsigned int n_everywhere = 0;
     for (const std::string &piece : split_outside_parentheses(text, ';'))
     {
       const auto place = split_outside_parentheses(piece, ':');
+      if (place.size() == 1 && n_everywhere++ > 0)
+        throw UserError(where + ": received `" + text +
+                        "`, allowed is one size without a place, the largest; the others belong to sides or "
+                        "points, as in `2; bore: 0.5`");
       if (place.size() == 1)
         size.everywhere = length(piece, true);
       else if (place[0].empty() || place.size() > 2)

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <regex>
+#include <sstream>
 
 namespace abut
 {
@@ -28,13 +30,25 @@ namespace abut
     /// A piece as it is written: a name, a word, points, and what follows them.
     struct WrittenPiece
     {
-      std::string text, side, word, rest;
+      std::string text, side, word, formula, rest;
       std::vector<Vector2> points;
     };
 
+    /// Takes `y = formula to` off the front of a text.
+    std::string take_formula(std::string &text)
+    {
+      static const std::regex graph("^y\\s*=(.*)\\sto\\s*(\\(.*)$");
+      std::smatch found;
+      if (!std::regex_match(text, found, graph))
+        return "";
+      const std::string formula = trim(found[1]), rest = found[2];
+      text = rest;
+      return formula;
+    }
+
     WrittenPiece read_piece(const std::string &text, const Constants &constants, const std::string &where)
     {
-      WrittenPiece piece{text, {}, {}, {}, {}};
+      WrittenPiece piece{text, {}, {}, {}, {}, {}};
       std::string left = text;
       const auto colon = left.find(':');
       if (colon < left.find('('))
@@ -44,6 +58,8 @@ namespace abut
         if (piece.side.empty())
           throw UserError(where + ": received `" + text + "`, a side needs a name before the colon");
       }
+      left = trim(left);
+      piece.formula = take_formula(left);
       const auto first = std::min(left.find('('), left.size());
       piece.word = trim(left.substr(0, first));
       left = trim(left.substr(first));
@@ -110,14 +126,41 @@ namespace abut
       add_arcs(pieces, written.side, start, centre, angle, end);
     }
 
-    void add_piece(OutlineLoop &loop, const WrittenPiece &written, const std::string &where)
+    void add_graph(std::vector<OutlinePiece> &pieces, const WrittenPiece &written, const Vector2 &start,
+                   const Constants &constants, const std::string &where)
+    {
+      constexpr int n = 128;           // pieces of the spline
+      constexpr double meeting = 1e-6; // of the distance of the ends
+      const Expression height(written.formula, constants, where);
+      const Vector2 &end = written.points[0];
+      const auto at = [&](const double x) { return Vector2(x, height({x, 0.})); };
+      if (start.x() == end.x())
+        refuse(written, where, "are two different x of the ends of a formula");
+      for (const Vector2 &point : {start, end})
+        if ((at(point.x()) - point).norm() > meeting * (end - start).norm())
+        {
+          std::ostringstream text;
+          text << "are points on the graph, which is at y = " << at(point.x()).y() << " and not " << point.y()
+               << " where x = " << point.x();
+          refuse(written, where, text.str());
+        }
+      pieces.push_back({written.side, OutlinePiece::Kind::spline, {}, height});
+      for (int i = 1; i < n; ++i)
+        pieces.back().points.push_back(at(start.x() + (end.x() - start.x()) * i / n));
+      pieces.back().points.push_back(end);
+    }
+
+    void add_piece(OutlineLoop &loop, const WrittenPiece &written, const Constants &constants,
+                   const std::string &where)
     {
       const Vector2 start = loop.pieces.empty() ? loop.start : loop.pieces.back().points.back();
       const std::size_t n = written.points.size();
       const std::string &word = written.word;
       if (!written.rest.empty())
         refuse(written, where, "are points written (x, y) to the end of a piece");
-      if (word.empty() && n == 1)
+      if (!written.formula.empty() && n == 1)
+        add_graph(loop.pieces, written, start, constants, where);
+      else if (word.empty() && n == 1)
         loop.pieces.push_back({written.side, OutlinePiece::Kind::line, written.points});
       else if (word == "close" && n == 0)
         loop.pieces.push_back({written.side, OutlinePiece::Kind::line, {loop.start}});
@@ -128,8 +171,10 @@ namespace abut
       else if (word == "spline" && n >= 2)
         loop.pieces.push_back({written.side, OutlinePiece::Kind::spline, written.points});
       else
-        refuse(written, where,
-               "are (x, y), arc (point) (end), centre (point) (end), spline (point) ... (end), close");
+        refuse(
+            written, where,
+            "are (x, y), arc (point) (end), centre (point) (end), spline (point) ... (end), y = formula to "
+            "(end), close");
     }
 
     OutlineLoop circle(const WrittenPiece &written, const Constants &constants, const std::string &where)
@@ -155,7 +200,7 @@ namespace abut
         refuse(first, where, "is a point (x, y) to begin with, or circle (x, y) radius");
       OutlineLoop loop{first.points[0], {}};
       for (std::size_t i = 1; i < pieces.size(); ++i)
-        add_piece(loop, read_piece(pieces[i], constants, where), where);
+        add_piece(loop, read_piece(pieces[i], constants, where), constants, where);
       return loop;
     }
   } // namespace

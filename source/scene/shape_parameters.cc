@@ -60,11 +60,14 @@ namespace abut
           "without physical lines, the numbers of its curves. Coordinates are lengths, before Scale.");
       prm.declare_entry(
           "Outline", "", Patterns::Anything(),
-          "Shape outline: closed curves separated by semicolons, the outer one first, then holes: a "
+          "Shapes outline and rigid outline: closed curves separated by semicolons, the outer one first, "
+          "then holes: a "
           "point and pieces from there on, (0, 0) -> base: (10, 0) -> arc (12, 5) (10, 10) -> "
           "centre (5, 10) (0, 10) -> spline (1, 7) (-1, 3) (0, 0). A piece is a line to a point; an "
           "arc through a point to another; an arc about a centre to a point, less than half a "
-          "circle; a spline through points; close: the line back. circle (0, 0) 5 is a whole curve. "
+          "circle; a spline through points; y = 5 - x^2/20 to (-10, 0): the graph of a formula in x as far "
+          "as a "
+          "point; close: the line back. circle (0, 0) 5 is a whole curve. "
           "A name before a piece makes it a side. Lengths, before Scale.");
       prm.declare_entry(
           "Mesh size", "0", Patterns::Anything(),
@@ -131,7 +134,10 @@ namespace abut
       if (shape.takes_outline)
         body.outline = parse_outline(outline, constants, where + "Outline");
       else if (!outline.empty())
-        throw UserError(where + "Outline: received `" + outline + "`, only the shape outline has one");
+        throw UserError(where + "Outline: received `" + outline + "`, only the shapes " +
+                        Registry<ShapeEntry>::get().names_with(
+                            [](const ShapeEntry &entry) { return entry.takes_outline; }) +
+                        " have one");
     }
 
     void parse_meshing(const ParameterHandler &prm, BodyDescription &body, const ShapeEntry &shape,
@@ -171,6 +177,7 @@ namespace abut
       throw UserError(where + "Mesh file: received ``, the shape " + shape.name + " needs its name");
     if (!body.mesh_file.empty())
       body.mesh_path = (std::filesystem::path(directory) / body.mesh_file).string();
+    body.is_rigid = shape.is_rigid;
     body.size = numbers_of(prm, "Size");
     if (!shape.size.empty())
       check_size(prm, body, shape, where);

@@ -15,11 +15,6 @@ namespace
 {
   using Overrides = std::vector<std::string>;
 
-  double number(const Answer &answer, const std::string &pair, const std::string &key)
-  {
-    return contact(answer, pair)[key].get<double>();
-  }
-
   std::string body(const std::string &name, const std::string &mesh, const std::string &entries)
   {
     return "subsection Body " + name + "\n set Mesh file = " + mesh +
@@ -96,9 +91,9 @@ TEST(MachineParts, InvoluteGearsPressAsHertzSaysAtThePitchPoint)
   const Answer answer = run_text(scene, adapting(2, 8));
   ASSERT_EQ(answer.status, 0) << answer.err;
   const double curvature = (1. / r_1 + 1. / r_2) / std::sin(pressure_angle),
-               plane = .5 * 2.1e5 / (1. - .3 * .3), force = number(answer, "mesh", "normal_force");
+               plane = .5 * 2.1e5 / (1. - .3 * .3), force = contact_value(answer, "mesh", "normal_force");
   const double hertz = std::sqrt(force * plane * curvature / M_PI);
-  EXPECT_NEAR(number(answer, "mesh", "max_pressure") / hertz, 1., .05);
+  EXPECT_NEAR(contact_value(answer, "mesh", "max_pressure") / hertz, 1., .05);
   // Along the line of action.
   const auto vector = contact(answer, "mesh")["force"];
   EXPECT_NEAR(std::abs(vector[0].get<double>() / vector[1].get<double>()), std::tan(pressure_angle), .01);
@@ -146,7 +141,8 @@ TEST(MachineParts, APinInABoreOfAnyClearance)
     ASSERT_EQ(meshed.status, 0) << meshed.err;
     for (const std::string key : {"normal_force", "max_pressure"})
     {
-      EXPECT_NEAR(number(meshed, "c", key) / number(built_in, "c", key), 1., .01) << key << ' ' << clearance;
+      EXPECT_NEAR(contact_value(meshed, "c", key) / contact_value(built_in, "c", key), 1., .01)
+          << key << ' ' << clearance;
     }
   }
 }
@@ -203,7 +199,7 @@ TEST(MachineParts, ADovetailAt45DegreesCarriesThePull)
     ASSERT_EQ(answer.status, 0) << answer.err;
     for (const std::string flank : {"left", "right"})
     {
-      EXPECT_NEAR(number(answer, flank, "normal_force"), 300. / std::sqrt(2.), 1e-6 * 300.) << flank;
+      EXPECT_NEAR(contact_value(answer, flank, "normal_force"), 300. / std::sqrt(2.), 1e-6 * 300.) << flank;
     }
   }
 }
@@ -215,7 +211,7 @@ TEST(MachineParts, ContactsAreFoundWhereSidesFaceEachOther)
   ASSERT_EQ(answer.summary["contacts"].size(), 2u);
   for (const std::string pair : {"tongue.left-groove.left", "tongue.right-groove.right"})
   {
-    EXPECT_NEAR(number(answer, pair, "normal_force"), 300. / std::sqrt(2.), 1e-6 * 300.);
+    EXPECT_NEAR(contact_value(answer, pair, "normal_force"), 300. / std::sqrt(2.), 1e-6 * 300.);
   }
   // Blocks side by side on a base, one a little above it: three pairs that are near, no edge to edge.
   const std::string blocks =
@@ -268,7 +264,7 @@ TEST(MachineParts, AClipThatClosesOnItself)
                two = run_text(halves, {"Discretisation/Degree=2"});
   ASSERT_EQ(one.status, 0) << one.err;
   ASSERT_EQ(two.status, 0) << two.err;
-  const double force = number(two, "lips", "normal_force");
+  const double force = contact_value(two, "lips", "normal_force");
   EXPECT_GT(force, .1);
-  EXPECT_NEAR(number(one, "lips", "normal_force"), force, .01 * force);
+  EXPECT_NEAR(contact_value(one, "lips", "normal_force"), force, .01 * force);
 }

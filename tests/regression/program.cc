@@ -129,6 +129,11 @@ namespace abut::testing
     return {};
   }
 
+  double contact_value(const Answer &answer, const std::string &name, const std::string &key)
+  {
+    return contact(answer, name)[key].get<double>();
+  }
+
   void expect_balance(const Answer &answer)
   {
     double worst = 0.;

@@ -42,6 +42,9 @@ namespace abut::testing
   /// What the summary says of a contact; null, with a failure, where there is none of that name.
   nlohmann::json contact(const Answer &answer, const std::string &name);
 
+  /// A number of it.
+  double contact_value(const Answer &answer, const std::string &name, const std::string &key);
+
   /// The forces and moments on every body balance.
   void expect_balance(const Answer &answer);
 

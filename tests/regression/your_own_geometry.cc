@@ -60,7 +60,7 @@ namespace
 TEST(YourOwnGeometry, ThreeWaysToTheSameLug)
 {
   const auto blocks = blocks_of("doc/your-own-geometry.md");
-  ASSERT_EQ(blocks.size(), 7u); // the last three: Regions, a command
+  ASSERT_EQ(blocks.size(), 8u); // a roller; the last three: Regions, a command
   const std::string outline = temporary_file("outline.prm", blocks[0]);
   const std::filesystem::path folder = std::filesystem::path(outline).parent_path();
   const auto written = [&](const std::string &name, const std::string &text) {
@@ -80,4 +80,20 @@ TEST(YourOwnGeometry, ThreeWaysToTheSameLug)
     EXPECT_NEAR(found.force, expected.force, 2e-3 * std::abs(expected.force)) << scene;
     EXPECT_NEAR(found.peak, expected.peak, .02 * expected.peak) << scene;
   }
+}
+
+TEST(YourOwnGeometry, ARollerIsARigidOutline)
+{
+  const auto blocks = blocks_of("doc/your-own-geometry.md");
+  ASSERT_EQ(blocks.size(), 8u);
+  const std::string rigid = temporary_file("roller.prm", blocks[4]);
+  const std::string stiff = temporary_file(
+      "stiff.prm", std::regex_replace(blocks[4], std::regex("rigid outline"),
+                                      "outline\n set Young modulus = 1e8\n set Mesh size = 0.3"));
+  const Answer answer = run({rigid}), meshed = run({stiff});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  ASSERT_EQ(meshed.status, 0) << meshed.err;
+  EXPECT_NEAR(contact_value(answer, "nip", "normal_force"), 5., 1e-3); // upwards: normals are not
+  for (const char *const key : {"normal_force", "max_pressure", "contact_length"})
+    EXPECT_NEAR(contact_value(answer, "nip", key) / contact_value(meshed, "nip", key), 1., .01) << key;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Solutions without error, without stress, moved and scaled; where the largest errors are.
 #include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/side_load.h>
 
 #include "../convergence/smooth_solution.h"
 #include "adaptation_testing.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Boundary against finite elements: fields that both hold exactly, fields that they do not.
 #include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/side_load.h>
 
 #include "boundary_elements_testing.h"
 

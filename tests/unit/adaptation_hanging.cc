@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Two squares of which the right one is split: what indicators make of the hanging vertex between them.
 #include <abut/adaptation/patches.h>
+#include <abut/bodies/finite_elements/nodes.h>
 
 #include "adaptation_testing.h"
 

@@ -2,7 +2,7 @@
 // The boundaries of meshes as boundary elements: curves, lengths, nodes, traces of fields.
 #include <abut/bem/boundary_space.h>
 #include <abut/bem/legendre_moments.h>
-#include <abut/bodies/finite_elements/prescribed.h>
+#include <abut/bodies/finite_elements/nodes.h>
 
 #include "finite_elements_testing.h"
 #include "trace_testing.h"

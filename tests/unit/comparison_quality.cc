@@ -3,6 +3,7 @@
 // The zones of an estimator's quality: two turned blocks of 12 x 6 unit cells, every cell with an error of
 // its own.
 #include <abut/adaptation/indicator.h>
+#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/comparison/quality.h>
 #include <abut/results/estimation.h>
 #include <abut/results/results.h>

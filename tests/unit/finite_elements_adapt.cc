@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Changing a body's mesh: what happens to fields, counters and numberings.
+#include <abut/bodies/finite_elements/nodes.h>
+
 #include "finite_elements_testing.h"
 #include <random>
 

@@ -2,6 +2,7 @@
 // What is known of the traction on a body's boundary.
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/boundary_traction.h>
+#include <abut/bodies/side_load.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The projection of the divergence, and the stress that goes with it.
 #include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/bodies/finite_elements/stress_field.h>
 
 #include "finite_elements_testing.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Material law, stiffness matrix, patch tests.
 #include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/nodes.h>
 
 #include "finite_elements_testing.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conditions at nodes, and the rigid motions they leave free.
 #include <abut/bodies/finite_elements/supports.h>
+#include <abut/bodies/rigid_modes.h>
 
 #include "finite_elements_testing.h"
 #include <algorithm>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/bodies/finite_elements/finite_element_body.h>
+#include <abut/bodies/finite_elements/nodes.h>
 
 #include "mesh_testing.h"
 

@@ -87,6 +87,9 @@ TEST(MeshCurves, GeometryFilesAreMeshedOnTheirCurves)
       "Point(5) = {0,1,0}; Line(1) = {2,3}; Circle(2) = {3,1,4}; Line(3) = {4,5};\n"
       "Circle(4) = {5,1,2}; Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1};\n";
   auto body = body_from_text("ring.geo", quarter);
+  body.corner_angle = 31.;
+  expect_refused([&] { make_mesh(body); }, "Corner angle is given, but the curves of a geometry");
+  body.corner_angle = BodyDescription().corner_angle;
   for (const double size : {.6, .3})
     for (const CellType type : {CellType::quadrilaterals, CellType::triangles})
     {

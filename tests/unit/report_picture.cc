@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/report/colour_map.h>
 #include <abut/report/deformed.h>
 #include <abut/report/picture.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/results/results.h>
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 //
 // The values of the VTU file: on a graded, turned and mirrored plate with hanging nodes, whose stress is
 // known exactly.
+#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/report/vtu.h>
 
 #include "adaptation_testing.h"

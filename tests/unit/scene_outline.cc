@@ -82,6 +82,23 @@ TEST(Outline, HolesAndSplines)
   EXPECT_EQ(loops[2].pieces[0].points.size(), 2u);
 }
 
+TEST(Outline, AFormulaIsASplineOfManyPoints)
+{
+  const auto loops = read("(3, 0) -> hill: y = R*(9 - x^2) to (-3, 0) -> close");
+  const OutlinePiece &hill = loops[0].pieces[0];
+  EXPECT_EQ(hill.side, "hill");
+  EXPECT_EQ(hill.kind, OutlinePiece::Kind::spline);
+  ASSERT_TRUE(hill.height);
+  EXPECT_GT(hill.points.size(), 100u);
+  for (const Vector2 &point : hill.points)
+    EXPECT_NEAR(point.y(), 2. * (9. - point.x() * point.x()), 1e-12);
+  expect_refused("(3, 0) -> y = x^2 to (-3, 9) -> close", "is at y = 9 and not 0 where x = 3");
+  expect_refused("(0, 0) -> y = x^2 to (0, 2) -> close", "two different x");
+  expect_refused("(0, 0) -> y = sqrt(-x) to (2, 2) -> close", "no finite value");
+  expect_refused("(0, 0) -> y = Q*x to (2, 2) -> close", "not a formula");
+  expect_refused("(0, 0) -> y = x (2, 2) -> close", "received `y = x (2, 2)`");
+}
+
 TEST(Outline, WhatCannotBeReadIsRefused)
 {
   expect_refused("", "received no curve");
@@ -113,7 +130,7 @@ TEST(MeshSizeText, GeneralAndLocal)
   ASSERT_EQ(size.at_points.size(), 1u);
   EXPECT_EQ(size.at_points[0].second, .1);
   EXPECT_EQ(parse_mesh_size("0", radius, "Mesh size").everywhere, 0.);
-  for (const std::string wrong : {"-1", "bore: 0", "bore: 1: 2", ": 1", "x"})
+  for (const std::string wrong : {"-1", "bore: 0", "bore: 1: 2", ": 1", "x", "1; 2"})
   {
     EXPECT_THROW(parse_mesh_size(wrong, radius, "Mesh size"), UserError) << wrong;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sides of meshes as curves: order, places, normals, lengths, unknowns.
-#include <abut/bodies/finite_elements/prescribed.h>
+#include <abut/bodies/finite_elements/nodes.h>
 
 #include "mesh_testing.h"
 #include "trace_testing.h"

@@ -36,10 +36,11 @@ namespace abut
   };
 
   /**
-   * An elastic body, as all but its own discretisation see it: adaptation, the loop, reports. Contact and the
-   * interface solvers see less, the TraceBody. Fields are vectors of all unknowns of the body, whatever these
-   * are; their values are asked for at points. Displacement = deformation + rigid motion: stresses come from
-   * the deformation alone, so that a body which is moved much further than it deforms keeps its digits.
+   * A body, elastic or rigid, as all but its own discretisation see it: adaptation, the loop, reports.
+   * Contact and the interface solvers see less, the TraceBody. Fields are vectors of all unknowns of the
+   * body, whatever these are; their values are asked for at points. Displacement = deformation + rigid
+   * motion: stresses come from the deformation alone, so that a body which is moved much further than it
+   * deforms keeps its digits.
    */
   class Body : public TraceBody
   {

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cmath>
+
 namespace abut
 {
   /// What a pair needs to know of one of its bodies.
@@ -30,6 +32,7 @@ namespace abut
     double plane_modulus;    ///< E_a / (1 - nu_a^2)
     double layer_compliance; ///< k_a of the elastic layer
 
+    bool is_rigid() const { return std::isinf(young_modulus); }
     /// H_a / E_a.
     double flexibility() const { return depth / young_modulus; }
   };

@@ -14,7 +14,8 @@ namespace abut
   struct DrawnBody
   {
     std::vector<Polyline> cells;   ///< outlines, enough points for curved edges
-    std::vector<double> von_mises; ///< mean over each cell
+    std::vector<double> von_mises; ///< mean over each cell; none of a rigid body
+    bool is_rigid = false;         ///< its only cell is the body
   };
 
   /// A stretch of parts as it is drawn, with its contact pressure.

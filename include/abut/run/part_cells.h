@@ -12,7 +12,8 @@ namespace abut
     double longer = 0.;
   };
 
-  /// Whether both sides have a plane of symmetry at the start (end = 0) or the end (1) of a part.
+  /// Whether both sides have a plane of symmetry (a rigid one may have it anywhere) at the start (end = 0) or
+  /// the end (1) of a part.
   bool is_at_symmetry(const ContactSurface &surface, std::size_t part, std::size_t end);
 
   /// Of every part; of several cells along a part the longest.

@@ -40,6 +40,7 @@ namespace abut
   {
     std::string name;
     std::string shape = "rectangle";           ///< a word with a ShapeEntry
+    bool is_rigid = false;                     ///< the shape has no mesh; young_modulus is infinite
     std::vector<double> size;                  ///< see ShapeEntry::size
     std::array<unsigned int, 2> cells{{1, 1}}; ///< rectangle: along x, y. Disc and ring: along a quarter arc,
                                                ///< radially. L-shape: of each of its squares along x, y

@@ -4,7 +4,7 @@
 #include <abut/base/vector2.h>
 #include <abut/scene/expression.h>
 
-#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +24,7 @@ namespace abut
     Kind kind;
     std::vector<Vector2> points; ///< the last is the end; of an arc the first is the centre, of a spline the
                                  ///< first ones lie between
+    std::optional<Expression> height = {}; ///< a spline that stands for y = height(x)
   };
 
   /// A closed curve.
@@ -41,10 +42,11 @@ namespace abut
    * (0, 0)
    *
    * each a straight line to a point, an arc through a point to another, an arc about a centre to a point (the
-   * shorter one) or a spline through points; `close` is the line back to the start. `circle (0, 0) 5` is a
-   * whole curve. A name before a piece makes it, with all of the same name, a side. Numbers may be formulas
-   * of the file's constants. Throws UserError, beginning with `where`, with the piece that cannot be read, a
-   * curve that is open or meets itself or another one, a hole outside.
+   * shorter one), a spline through points or, as `y = 5 - x^2/20 to (-10, 0)`, the graph of a formula in x as
+   * far as a point; `close` is the line back to the start. `circle (0, 0) 5` is a whole curve. A name before
+   * a piece makes it, with all of the same name, a side. Numbers may be formulas of the file's constants.
+   * Throws UserError, beginning with `where`, with the piece that cannot be read, a curve that is open or
+   * meets itself or another one, a hole outside.
    */
   std::vector<OutlineLoop> parse_outline(const std::string &text, const Constants &constants,
                                          const std::string &where);

@@ -4,7 +4,9 @@
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/locking.h>
+#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
+#include <abut/bodies/side_load.h>
 
 #include <Eigen/LU>
 
@@ -118,7 +120,8 @@ namespace abut
 
   void FiniteElementBody::set_up_supports()
   {
-    const std::vector<PrescribedComponent> components = prescribed_components(description(), sides_, *space_);
+    const std::vector<PrescribedComponent> components =
+        prescribed_components(description(), sides_, [&]() { return free_nodes(*space_); });
     const Nodes nodes = free_nodes(*space_);
     const Vector2 centre = centre_of(nodes);
     const auto free_modes = free_rigid_modes(components, centre, extent_of(nodes, centre));

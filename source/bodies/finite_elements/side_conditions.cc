@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/finite_elements/assembly.h>
-#include <abut/bodies/finite_elements/prescribed.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
+#include <abut/bodies/prescribed.h>
+#include <abut/bodies/side_load.h>
 
 #include <cmath>
 

@@ -38,6 +38,8 @@ namespace abut
       double least = 1.;
       problem.for_each_pair([&](const ContactPair &pair, std::size_t) {
         const double slave = pair.slave().young_modulus, master = pair.master().young_modulus;
+        if (pair.slave().is_rigid())
+          return; // the master carries the pressures
         least = std::min(least, 1. / (1. + slave / master));
       });
       return least;

@@ -33,7 +33,7 @@ namespace abut
       {
         const unsigned int degree = body->description().degree;
         const EstimatorWorth *const worth = estimator.worth_at(degree);
-        if (worth == nullptr || !worth->is_rough())
+        if (body->description().is_rigid || worth == nullptr || !worth->is_rough())
           continue;
         std::ostringstream text;
         text << "Adaptation/Estimator = " << estimator.name << " has been " << worth->least << " to "

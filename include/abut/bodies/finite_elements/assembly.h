@@ -18,19 +18,4 @@ namespace abut
 
   /// Adds the body force of the description to a load vector.
   void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load);
-
-  /// The traction (world frame) that a condition prescribes at a point of a side with outward unit normal n.
-  Vector2 prescribed_traction(const Condition &condition, const Placement &placement, const Vector2 &point,
-                              const Vector2 &normal);
-
-  /// A traction (world frame) at a point of a side with outward unit normal n.
-  using SideTraction = std::function<Vector2(const Vector2 &point, const Vector2 &normal)>;
-
-  /// int t phi_j over a segment, a row for every node; also where the traction grows like an inverse square
-  /// root at a vertex of the mesh.
-  Eigen::MatrixX2d traction_moments(const Trace &side, const Segment &segment, const SideTraction &traction);
-
-  /// Adds int t . v over a side, (12), for a condition of kind traction or pressure.
-  void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
-                    Eigen::VectorXd &load);
 } // namespace abut

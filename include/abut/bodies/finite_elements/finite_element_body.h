@@ -5,6 +5,7 @@
 #include <abut/bodies/body.h>
 #include <abut/bodies/finite_elements/floating.h>
 #include <abut/bodies/finite_elements/rigid_motion.h>
+#include <abut/bodies/finite_elements/space.h>
 
 namespace abut
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/prescribed.h>
+#include <abut/bodies/rigid_modes.h>
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace abut
 {

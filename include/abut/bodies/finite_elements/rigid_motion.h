@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/prescribed.h>
+#include <abut/bodies/finite_elements/supports.h>
 
 namespace abut
 {

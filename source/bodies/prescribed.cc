@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
-#include <abut/bodies/finite_elements/prescribed.h>
-
-#include <deal.II/dofs/dof_tools.h>
+#include <abut/bodies/prescribed.h>
 
 #include <algorithm>
 #include <sstream>
@@ -94,47 +92,6 @@ namespace abut
     return {};
   }
 
-  Nodes all_nodes(const Space &space)
-  {
-    std::map<dealii::types::global_dof_index, dealii::Point<2>> points;
-    dealii::DoFTools::map_dofs_to_support_points(space.mapping(), space.dof_handler(), points);
-    const auto &fe = space.dof_handler().get_fe();
-    const auto n = static_cast<std::size_t>(space.n_dofs());
-    std::vector<bool> seen(n, false);
-    Nodes nodes;
-    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    const unsigned int n_nodes_per_cell = fe.n_dofs_per_cell() / 2;
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-    {
-      cell->get_dof_indices(dofs);
-      for (unsigned int i = 0; i < n_nodes_per_cell; ++i)
-      {
-        const auto x = dofs[fe.component_to_system_index(0, i)], y = dofs[fe.component_to_system_index(1, i)];
-        if (seen[x])
-          continue;
-        seen[x] = true;
-        nodes.dofs.push_back({{static_cast<unsigned int>(x), static_cast<unsigned int>(y)}});
-        nodes.places.emplace_back(points[x][0], points[x][1]);
-      }
-    }
-    return nodes;
-  }
-
-  Nodes free_nodes(const Space &space)
-  {
-    const Nodes all = all_nodes(space);
-    if (!space.has_hanging_nodes())
-      return all;
-    Nodes nodes;
-    for (std::size_t i = 0; i < all.dofs.size(); ++i)
-      if (!space.is_hanging(all.dofs[i][0]))
-      {
-        nodes.dofs.push_back(all.dofs[i]);
-        nodes.places.push_back(all.places[i]);
-      }
-    return nodes;
-  }
-
   std::optional<Resultant> find_resultant(const BodyDescription &body, const Sides &sides)
   {
     for (const Condition &condition : body.conditions)
@@ -158,10 +115,10 @@ namespace abut
   }
 
   std::vector<PrescribedComponent> prescribed_components(const BodyDescription &body, const Sides &sides,
-                                                         const Space &space)
+                                                         const std::function<Nodes()> &nodes)
   {
     const std::optional<Resultant> resultant = find_resultant(body, sides);
-    std::optional<Nodes> nodes; // only conditions at points need them
+    std::optional<Nodes> at_points;
     std::vector<PrescribedComponent> components;
     for (const Condition &condition : body.conditions)
     {
@@ -172,10 +129,10 @@ namespace abut
       };
       if (condition.point)
       {
-        if (!nodes)
-          nodes = free_nodes(space);
-        const std::size_t node = node_at(body, condition, *nodes);
-        add(nodes->dofs[node], nodes->places[node], Vector2::Zero());
+        if (!at_points)
+          at_points = nodes();
+        const std::size_t node = node_at(body, condition, *at_points);
+        add(at_points->dofs[node], at_points->places[node], Vector2::Zero());
       }
       else
       {
