@@ -2,6 +2,8 @@
 #include <abut/base/plane_geometry.h>
 #include <abut/bodies/side_load.h>
 
+#include <algorithm>
+
 namespace abut
 {
   Vector2 prescribed_traction(const Condition &condition, const Placement &placement, const Vector2 &point,
@@ -14,19 +16,45 @@ namespace abut
         Vector2(condition.expressions[0](own), condition.expressions[1](own)));
   }
 
+  namespace
+  {
+    /// By the rule on an interval of a segment.
+    Eigen::MatrixX2d moments_by_rule(const Trace &side, const Segment &segment, const SideTraction &traction,
+                                     const double from, const double to)
+    {
+      static const GaussRule rule = GaussRule::for_singular_ends(18);
+      Eigen::MatrixX2d moments = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(segment.nodes.size()), 2);
+      for (Eigen::Index q = 0; q < rule.points.size(); ++q)
+      {
+        const double s = from + (to - from) * rule.points[q];
+        const Vector2 tangent = side.tangent(segment, s);
+        moments += (to - from) * rule.weights[q] * tangent.norm() * side.basis().values(s) *
+                   traction(side.point(segment, s), outward_normal(tangent)).transpose();
+      }
+      return moments;
+    }
+
+    /// The same, halved until that changes no more: tractions may jump or be narrow.
+    Eigen::MatrixX2d halved_moments(const Trace &side, const Segment &segment, const SideTraction &traction,
+                                    const double from, const double to, const Eigen::MatrixX2d &whole,
+                                    const double size)
+    {
+      constexpr double accuracy = 1e-9, shortest = 1e-6;
+      const double middle = .5 * (from + to);
+      const Eigen::MatrixX2d first = moments_by_rule(side, segment, traction, from, middle),
+                             second = moments_by_rule(side, segment, traction, middle, to);
+      const double largest = std::max({size, first.norm(), second.norm()});
+      if ((first + second - whole).norm() <= accuracy * largest || to - from < shortest)
+        return whole;
+      return halved_moments(side, segment, traction, from, middle, first, largest) +
+             halved_moments(side, segment, traction, middle, to, second, largest);
+    }
+  } // namespace
+
   Eigen::MatrixX2d traction_moments(const Trace &side, const Segment &segment, const SideTraction &traction)
   {
-    const GaussRule rule = GaussRule::for_singular_ends(18);
-    Eigen::MatrixX2d moments = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(segment.nodes.size()), 2);
-    for (Eigen::Index q = 0; q < rule.points.size(); ++q)
-    {
-      const double s = rule.points[q];
-      const Vector2 tangent = side.tangent(segment, s);
-      const Vector2 normal = outward_normal(tangent);
-      moments += rule.weights[q] * tangent.norm() * side.basis().values(s) *
-                 traction(side.point(segment, s), normal).transpose();
-    }
-    return moments;
+    const Eigen::MatrixX2d whole = moments_by_rule(side, segment, traction, 0., 1.);
+    return halved_moments(side, segment, traction, 0., 1., whole, whole.norm());
   }
 
   void add_traction(const Trace &side, const Condition &condition, const Placement &placement,

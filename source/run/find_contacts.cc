@@ -96,13 +96,36 @@ namespace abut
       return smallest;
     }
 
+    /// The distance from a corner of a side, where an edge is followed by the next, to an edge that faces it.
+    double distance_of_corner(const Edge &before, const Edge &after, const Edge &other)
+    {
+      const Vector2 along = other.end - other.start, tip = after.start;
+      const Vector2 outward =
+          outward_normal(before.end - before.start) + outward_normal(after.end - after.start);
+      const double s = along.dot(tip - other.start) / along.squaredNorm();
+      if (s < 0. || s > 1. || outward.normalized().dot(outward_normal(along)) > -std::sqrt(.5))
+        return std::numeric_limits<double>::infinity();
+      return (other.start + s * along - tip).norm();
+    }
+
+    double distance_of_corners(const Polyline &a, const Polyline &b)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const Edge &before : a.edges)
+        for (const Edge &after : a.edges)
+          if (before.end == after.start)
+            for (const Edge &other : b.edges)
+              smallest = std::min(smallest, distance_of_corner(before, after, other));
+      return smallest;
+    }
+
     double distance(const Polyline &a, const Polyline &b)
     {
       double smallest = std::numeric_limits<double>::infinity();
       for (const Edge &edge : a.edges)
         for (const Edge &other : b.edges)
           smallest = std::min({smallest, distance(edge, other), distance(other, edge)});
-      return smallest;
+      return std::min({smallest, distance_of_corners(a, b), distance_of_corners(b, a)});
     }
 
     double extent(const std::vector<Polyline> &sides)

@@ -37,11 +37,11 @@ namespace abut
     /// Takes `y = formula to` off the front of a text.
     std::string take_formula(std::string &text)
     {
-      static const std::regex graph("^y\\s*=(.*)\\sto\\s*(\\(.*)$");
+      static const std::regex graph("^y\\s*=\\s*(.*\\S)\\s+to\\s*(\\(.*)$");
       std::smatch found;
       if (!std::regex_match(text, found, graph))
         return "";
-      const std::string formula = trim(found[1]), rest = found[2];
+      const std::string formula = found[1], rest = found[2];
       text = rest;
       return formula;
     }
@@ -129,10 +129,14 @@ namespace abut
     void add_graph(std::vector<OutlinePiece> &pieces, const WrittenPiece &written, const Vector2 &start,
                    const Constants &constants, const std::string &where)
     {
-      constexpr int n = 128;           // pieces of the spline
-      constexpr double meeting = 1e-6; // of the distance of the ends
+      constexpr int fewest = 64, most = 4096; // pieces of the spline
+      constexpr double wanted = 1e-5;         // of the distance of the ends: how far chords are off
+      constexpr double meeting = 1e-6;        // of the distance of the ends
       const Expression height(written.formula, constants, where);
       const Vector2 &end = written.points[0];
+      static const std::regex height_in_it("(^|[^A-Za-z0-9_.])y($|[^A-Za-z0-9_])");
+      if (std::regex_search(written.formula, height_in_it))
+        refuse(written, where, "are formulas in x alone");
       const auto at = [&](const double x) { return Vector2(x, height({x, 0.})); };
       if (start.x() == end.x())
         refuse(written, where, "are two different x of the ends of a formula");
@@ -145,8 +149,21 @@ namespace abut
           refuse(written, where, text.str());
         }
       pieces.push_back({written.side, OutlinePiece::Kind::spline, {}, height});
+      const auto x_at = [&](const double share) { return start.x() + (end.x() - start.x()) * share; };
+      const auto is_coarse = [&](const int n) {
+        for (int i = 0; i < n; ++i)
+        {
+          const double a = x_at(static_cast<double>(i) / n), b = x_at((i + 1.) / n);
+          if (std::abs(at(.5 * (a + b)).y() - .5 * (at(a).y() + at(b).y())) > wanted * (end - start).norm())
+            return true;
+        }
+        return false;
+      };
+      int n = fewest;
+      while (n < most && is_coarse(n))
+        n *= 2;
       for (int i = 1; i < n; ++i)
-        pieces.back().points.push_back(at(start.x() + (end.x() - start.x()) * i / n));
+        pieces.back().points.push_back(at(x_at(static_cast<double>(i) / n)));
       pieces.back().points.push_back(end);
     }
 

@@ -147,7 +147,7 @@ namespace abut
            {std::pair("Mesh size", "0"), {"Boundary curve", "smooth"}, {"Corner angle", "20"}})
         if (!shape.makes_cells && prm.get(entry) != unused)
           throw UserError(where + entry + ": received `" + prm.get(entry) +
-                          "`, but the body is neither a mesh or geometry file nor an outline; allowed is " +
+                          "`, but nothing of the body is meshed from a file or an outline; allowed is " +
                           unused);
       body.mesh_size = parse_mesh_size(prm.get("Mesh size"), constants, where + "Mesh size");
       body.boundary_curve = choose(boundary_curves, prm.get("Boundary curve"), where + "Boundary curve");

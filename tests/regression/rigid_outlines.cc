@@ -161,6 +161,49 @@ TEST(RigidOutlines, ABeamFloatsOnWhatCarriesIt)
   EXPECT_NEAR(right, 3. * 2. / 9., .02); // about the left column's middle; forces wander within the columns
 }
 
+TEST(RigidOutlines, GraphsEndWithTheTangentOfTheirFormula)
+{
+  // Half a foot of radius 10 as an elastic body: the graph ends at the plane of symmetry, where it presses.
+  const Answer answer =
+      run_text("set Bodies = foot, pin\nset Contacts = c\nsubsection Body foot\n set Shape = outline\n"
+               " set Outline = (0, 0) -> symmetry: (0, -10) -> base: (5, -10) -> (5, -1.25) -> "
+               "top: y = -x^2/20 to (0, 0)\n"
+               " set Conditions = symmetry: normal displacement: 0; base: normal displacement: 0\n"
+               " set Young modulus = 1000\n set Mesh size = 1; top: 0.05\nend\n"
+               "subsection Body pin\n set Size = 10, 10\n set Cells = 80, 40\n set Grading = 20, 20\n"
+               " set Young modulus = 1000\n"
+               " set Conditions = left: normal displacement: 0; top: resultant: 0, -2\nend\n"
+               "subsection Contact c\n set Slave = pin:bottom\n set Master = foot:top\nend\n",
+               {"Discretisation/Degree=2"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_NEAR(contact_value(answer, "c", "max_pressure") / std::sqrt(4. * plane / 2. / (M_PI * 10.)), 1.,
+              .01);
+}
+
+TEST(RigidOutlines, WavesAreFollowed)
+{
+  const std::string loaded = " set Conditions = tread: displacement: 0, -0.02";
+  const Answer outline = run_text(pressed_block(" set Outline = (8, 5) -> (-8, 5) -> (-8, 0) -> tread: y = "
+                                                "0.01*(1 - cos(4*pi*x)) to (8, 0) -> close\n" +
+                                                    loaded,
+                                                master),
+                                  {"Body block/Adapt=false"});
+  std::string text =
+      pressed_block(" set Outline = (8, 5) -> (-8, 5) -> (-8, 0) -> tread: (8, 0) -> close\n" + loaded,
+                    master + "\n set Gap = 0.01*(1 - cos(4*pi*x))");
+  const Answer gap = run_text(text, {"Body block/Adapt=false"});
+  ASSERT_EQ(outline.status, 0) << outline.err;
+  ASSERT_EQ(gap.status, 0) << gap.err;
+  EXPECT_NEAR(contact_value(outline, "c", "normal_force") / contact_value(gap, "c", "normal_force"), 1., .01);
+  expect_refused(
+      run_text(pressed_block(" set Outline = (8, 5) -> (-8, 5) -> (-8, 0) -> tread: y = sin(1e5*pi*x) to "
+                             "(8, 0) -> close\n" +
+                                 loaded,
+                             master),
+               {"Body block/Adapt=false"}),
+      {"changes too fast"});
+}
+
 TEST(RigidOutlines, RefuseWhatOnlyElasticBodiesHave)
 {
   const std::string good = " set Slave = ring:outer\n set Master = plate:bore";

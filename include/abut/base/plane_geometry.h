@@ -4,6 +4,7 @@
 #include <abut/base/vector2.h>
 
 #include <cmath>
+#include <vector>
 
 namespace abut
 {
@@ -17,6 +18,24 @@ namespace abut
   inline Vector2 outward_normal(const Vector2 &tangent)
   {
     return Vector2(tangent.y(), -tangent.x()).normalized();
+  }
+
+  /// The smallest rectangle along the axes around points.
+  struct Box
+  {
+    Vector2 low, high;
+
+    Vector2 middle() const { return .5 * (low + high); }
+    double diagonal() const { return (high - low).norm(); }
+  };
+
+  /// Of at least one point.
+  inline Box box_around(const std::vector<Vector2> &points)
+  {
+    Box box{points.front(), points.front()};
+    for (const Vector2 &point : points)
+      box = {box.low.cwiseMin(point), box.high.cwiseMax(point)};
+    return box;
   }
 
   /// The angle from one direction to another, positive counter-clockwise, radians.

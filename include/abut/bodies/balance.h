@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/plane_geometry.h>
 #include <abut/bodies/prescribed.h>
 
 #include <Eigen/Core>
@@ -13,18 +14,11 @@ namespace abut
   class Balance
   {
   public:
-    explicit Balance(const Nodes &nodes) : low_(nodes.places.front()), high_(low_)
-    {
-      for (const Vector2 &place : nodes.places)
-      {
-        low_ = low_.cwiseMin(place);
-        high_ = high_.cwiseMax(place);
-      }
-    }
+    explicit Balance(const Nodes &nodes) : box_(box_around(nodes.places)) {}
 
     void add(const Vector2 &place, const Vector2 &force)
     {
-      const Vector2 arm = (place - .5 * (low_ + high_)) / (high_ - low_).norm();
+      const Vector2 arm = (place - box_.middle()) / box_.diagonal();
       sum_ += force;
       moment_ += arm.x() * force.y() - arm.y() * force.x();
       size_ += force.norm();
@@ -41,7 +35,8 @@ namespace abut
     double of_moments() const { return size_ > 0. ? std::abs(moment_) / size_ : 0.; }
 
   private:
-    Vector2 low_, high_, sum_ = Vector2::Zero();
+    Box box_;
+    Vector2 sum_ = Vector2::Zero();
     double moment_ = 0., size_ = 0.;
   };
 } // namespace abut

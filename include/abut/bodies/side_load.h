@@ -17,7 +17,7 @@ namespace abut
   using SideTraction = std::function<Vector2(const Vector2 &point, const Vector2 &normal)>;
 
   /// int t phi_j over a segment, a row for every node; also where the traction grows like an inverse square
-  /// root at a vertex of the mesh.
+  /// root at a vertex of the mesh, jumps or is narrow.
   Eigen::MatrixX2d traction_moments(const Trace &side, const Segment &segment, const SideTraction &traction);
 
   /// Adds int t . v over a side, (12), for a condition of kind traction or pressure.

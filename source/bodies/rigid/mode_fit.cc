@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/plane_geometry.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/rigid/mode_fit.h>
 
@@ -19,17 +20,6 @@ namespace abut
     }
   } // namespace
 
-  Vector2 middle_of(const Nodes &nodes)
-  {
-    Vector2 low = nodes.places.front(), high = low;
-    for (const Vector2 &place : nodes.places)
-    {
-      low = low.cwiseMin(place);
-      high = high.cwiseMax(place);
-    }
-    return .5 * (low + high);
-  }
-
   double farthest_from(const Vector2 &centre, const Nodes &nodes)
   {
     double farthest = 0.;
@@ -46,11 +36,12 @@ namespace abut
     return field;
   }
 
-  ModeFit::ModeFit(const Nodes &nodes, const std::vector<PrescribedComponent> &components)
-      : components_(components), fields_(2 * static_cast<Index>(nodes.places.size()), 3),
+  ModeFit::ModeFit(const Nodes &nodes, const std::vector<PrescribedComponent> &components,
+                   const Eigen::VectorXd &weights)
+      : components_(components), weights_(weights), fields_(2 * static_cast<Index>(nodes.places.size()), 3),
         rows_(static_cast<Index>(components.size()), 3)
   {
-    const Vector2 centre = middle_of(nodes);
+    const Vector2 centre = box_around(nodes.places).middle();
     const double size = farthest_from(centre, nodes);
     const std::array<RigidMode, 3> modes{{{Vector2::UnitX(), 0., centre, size},
                                           {Vector2::UnitY(), 0., centre, size},
@@ -74,15 +65,19 @@ namespace abut
     const Eigen::Vector3d amounts = smallest_solution(rows_, values);
     Index worst = 0;
     if ((rows_ * amounts - values).cwiseAbs().maxCoeff(&worst) > agreement * values.cwiseAbs().maxCoeff())
-      throw UserError("Body " + body + "/Conditions: what is prescribed on '" +
-                      components_[static_cast<std::size_t>(worst)].boundary +
-                      "' is no rigid motion together with the other displacements, and the body is rigid; "
-                      "allowed are displacements that leave its shape as it is");
+      throw UserError(
+          "Body " + body + "/Conditions: what is prescribed on '" +
+          components_[static_cast<std::size_t>(worst)].boundary +
+          "' is no rigid motion together with the other displacements, and the body is rigid; "
+          "allowed are displacements that leave its shape as it is, in the sense of small ones: a - b*y, "
+          "c + b*x");
     return fields_ * amounts;
   }
 
   Eigen::VectorXd ModeFit::balancing(const Eigen::VectorXd &nodal_forces) const
   {
-    return smallest_solution(rows_.transpose(), -fields_.transpose() * nodal_forces);
+    const Eigen::VectorXd roots = weights_.cwiseSqrt();
+    return roots.cwiseProduct(
+        smallest_solution(rows_.transpose() * roots.asDiagonal(), -fields_.transpose() * nodal_forces));
   }
 } // namespace abut

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/plane_geometry.h>
 #include <abut/bodies/balance.h>
 #include <abut/bodies/rigid/mode_fit.h>
 #include <abut/bodies/rigid/rigid_body.h>
@@ -13,6 +14,21 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
+
+    /// Any point of a rigid body can be held: the points themselves are the nodes that the conditions look
+    /// for, with no unknowns of the outline.
+    Nodes points_of_conditions(const BodyDescription &body)
+    {
+      constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+      Nodes nodes;
+      for (const Condition &condition : body.conditions)
+        if (condition.point)
+        {
+          nodes.dofs.push_back({{none, none}});
+          nodes.places.push_back(body.placement.point_to_world(*condition.point));
+        }
+      return nodes;
+    }
   } // namespace
 
   RigidBody::RigidBody(const BodyDescription &description, const std::vector<std::string> &contact_sides)
@@ -36,9 +52,10 @@ namespace abut
   void RigidBody::set_up_supports()
   {
     const Nodes &nodes = outline_.nodes();
-    const Vector2 centre = middle_of(nodes);
+    const Vector2 centre = box_around(nodes.places).middle();
     const double size = farthest_from(centre, nodes);
-    components_ = prescribed_components(description(), sides_, [&]() { return nodes; });
+    components_ =
+        prescribed_components(description(), sides_, [&]() { return points_of_conditions(description()); });
 
     const std::vector<RigidMode> free = free_rigid_modes(components_, centre, size);
     free_modes_.resize(zero_field().size(), static_cast<Index>(free.size()));
@@ -57,13 +74,25 @@ namespace abut
         values[static_cast<Index>(i)] = components_[i].value;
         per_unit[static_cast<Index>(i)] = components_[i].per_unit;
       }
-      const ModeFit fit(nodes, components_);
+      const ModeFit fit(nodes, components_, weights_of_components());
       fixed_ = fit.motion(values, name());
       moving_ = fit.motion(per_unit, name());
     }
     if (free.empty() && !resultant_)
       for (Trace &side : contact_sides_)
         side.set_supports({side.n_nodes(), Eigen::Matrix2d::Identity()});
+  }
+
+  Eigen::VectorXd RigidBody::weights_of_components() const
+  {
+    const std::vector<double> lengths = outline_.lengths_at_nodes();
+    Eigen::VectorXd weights(static_cast<Index>(components_.size()));
+    for (std::size_t i = 0; i < components_.size(); ++i)
+    {
+      const std::size_t node = components_[i].dofs[0] / 2;
+      weights[static_cast<Index>(i)] = node < lengths.size() ? lengths[node] : 1.;
+    }
+    return weights;
   }
 
   void RigidBody::collect_loads()
@@ -125,8 +154,8 @@ namespace abut
     result.contact = balance.add_all(nodes, extended_by_zero(contact_forces));
     if (!components_.empty())
     {
-      const Eigen::VectorXd forces =
-          ModeFit(nodes, components_).balancing(load_ + extended_by_zero(contact_forces));
+      const Eigen::VectorXd forces = ModeFit(nodes, components_, weights_of_components())
+                                         .balancing(load_ + extended_by_zero(contact_forces));
       for (std::size_t i = 0; i < components_.size(); ++i)
       {
         const Vector2 force = forces[static_cast<Index>(i)] * components_[i].direction;
@@ -176,7 +205,7 @@ namespace abut
     }
     const Nodes &nodes = outline_.nodes();
     if (!(normal.norm() > vanishing * trace.length()))
-      return farthest_from(middle_of(nodes), nodes);
+      return farthest_from(box_around(nodes.places).middle(), nodes);
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (const Vector2 &place : nodes.places)
     {
@@ -184,22 +213,6 @@ namespace abut
       highest = std::max(highest, place.dot(normal.normalized()));
     }
     return highest - lowest;
-  }
-
-  LostLoad RigidBody::lost_load(const std::string &side) const
-  {
-    const Trace &trace = sides_.at(side);
-    LostLoad load;
-    for (const Condition &condition : description().conditions)
-      if (condition.boundary == side && !is_support(condition.kind))
-        for (const abut::Segment &segment : trace.segments())
-          load.largest = std::max(load.largest, prescribed_traction(condition, description().placement,
-                                                                    trace.point(segment, .5),
-                                                                    Trace::averaged_normal(segment, .5))
-                                                    .norm());
-    if (free_modes_.cols() == 0 && !resultant_)
-      load.lost = load.largest;
-    return load;
   }
 
   MeshQuality RigidBody::mesh_quality() const

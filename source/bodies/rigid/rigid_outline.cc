@@ -16,8 +16,9 @@ namespace abut
   namespace
   {
     constexpr int arcs_in_a_quarter = 16;
-    constexpr int pieces_of_a_formula = 64;
-    const std::string rest = "0"; // the side of pieces without a name
+    constexpr int pieces_of_a_line = 64; // for loads that change along it
+    constexpr int pieces_of_a_span = 8;  // of a spline
+    const std::string rest = "0";        // the side of pieces without a name
 
     using Curve = std::function<Vector2(double)>;
 
@@ -35,18 +36,72 @@ namespace abut
       return curves;
     }
 
-    /// y = height(x).
-    std::vector<Curve> graphs(const Vector2 &start, const OutlinePiece &piece)
+    /// Pieces [from, to] of a curve on [0, 1].
+    std::vector<Curve> pieces_of(const Curve &curve, const int n)
     {
-      const double from = start.x(), step = (piece.points.back().x() - from) / pieces_of_a_formula;
-      std::vector<Curve> curves;
-      for (int i = 0; i < pieces_of_a_formula; ++i)
-        curves.push_back([=, height = *piece.height](const double s) -> Vector2 {
-          const double x = from + (i + s) * step;
-          return {x, height({x, 0.})};
-        });
-      return curves;
+      std::vector<Curve> pieces;
+      for (int i = 0; i < n; ++i)
+        pieces.push_back([=](const double s) { return curve((i + s) / n); });
+      return pieces;
     }
+
+    /// The largest distance between a curve and the polynomial through its places at the nodes.
+    double error_of_polynomial(const Curve &curve)
+    {
+      const LagrangeBasis basis(RigidOutline::degree);
+      double largest = 0.;
+      for (const double s : {.07, .25, .4, .6, .75, .93})
+      {
+        const Eigen::VectorXd values = basis.values(s);
+        Vector2 sum = Vector2::Zero();
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+          sum += values[i] * curve(basis.nodes()[i]);
+        largest = std::max(largest, (sum - curve(s)).norm());
+      }
+      return largest;
+    }
+
+    /// y = height(x), halved until polynomials are next to it.
+    class Graph
+    {
+    public:
+      Graph(const Vector2 &start, const OutlinePiece &piece, const std::string &where)
+          : height_(*piece.height), from_(start.x()), to_(piece.points.back().x()),
+            size_((piece.points.back() - start).norm()), where_(where)
+      {
+        constexpr int n = 16; // at least
+        for (int i = 0; i < n; ++i)
+          add(static_cast<double>(i) / n, 1. / n);
+      }
+      const std::vector<Curve> &pieces() const { return pieces_; }
+
+    private:
+      void add(const double first, const double step)
+      {
+        constexpr double wanted = 1e-9, allowed = 1e-6, shortest = 1e-4; // of the whole piece
+        const Curve curve = [height = height_, from = from_, to = to_, first,
+                             step](const double s) -> Vector2 {
+          const double x = from + (first + s * step) * (to - from);
+          return {x, height({x, 0.})};
+        };
+        const double error = error_of_polynomial(curve);
+        if (error > wanted * size_ && step > shortest)
+        {
+          add(first, .5 * step);
+          add(first + .5 * step, .5 * step);
+          return;
+        }
+        if (error > allowed * size_)
+          throw UserError(where_ + ": the formula `" + height_.text() +
+                          "` changes too fast to be followed; give its parts pieces of their own");
+        pieces_.push_back(curve);
+      }
+
+      const Expression &height_;
+      double from_, to_, size_;
+      const std::string &where_;
+      std::vector<Curve> pieces_;
+    };
 
     /// Catmull and Rom's cubics, whose tangent at a point is parallel to the chord between its neighbours.
     std::vector<Curve> cubics(const Vector2 &start, const OutlinePiece &piece)
@@ -60,18 +115,22 @@ namespace abut
       tangents.push_back(points[n - 1] - points[n - 2]);
       std::vector<Curve> curves;
       for (std::size_t i = 0; i + 1 < n; ++i)
-        curves.push_back([a = points[i], b = points[i + 1], from = tangents[i],
-                          to = tangents[i + 1]](const double s) -> Vector2 {
+      {
+        const Curve span = [a = points[i], b = points[i + 1], from = tangents[i],
+                            to = tangents[i + 1]](const double s) -> Vector2 {
           const double r = 1. - s;
           return r * r * (1. + 2. * s) * a + s * s * (3. - 2. * s) * b + s * r * (r * from - s * to);
-        });
+        };
+        const std::vector<Curve> pieces = pieces_of(span, pieces_of_a_span);
+        curves.insert(curves.end(), pieces.begin(), pieces.end());
+      }
       return curves;
     }
 
-    std::vector<Curve> curves_of(const Vector2 &start, const OutlinePiece &piece)
+    std::vector<Curve> curves_of(const Vector2 &start, const OutlinePiece &piece, const std::string &where)
     {
       if (piece.height)
-        return graphs(start, piece);
+        return Graph(start, piece, where).pieces();
       switch (piece.kind)
       {
       case OutlinePiece::Kind::arc:
@@ -81,9 +140,10 @@ namespace abut
       case OutlinePiece::Kind::line:
         break;
       }
-      return {[start, end = piece.points.back()](const double s) -> Vector2 {
+      const Curve line = [start, end = piece.points.back()](const double s) -> Vector2 {
         return start + s * (end - start);
-      }};
+      };
+      return pieces_of(line, pieces_of_a_line);
     }
 
     /// Twice the area inside, positive where the points run counter-clockwise.
@@ -107,7 +167,12 @@ namespace abut
     const Registered<ShapeEntry> registered_rigid_outline(rigid_outline_entry());
   } // namespace
 
-  RigidOutline::RigidOutline(const BodyDescription &body) : body_(body.name)
+  RigidOutline::RigidOutline(const BodyDescription &body)
+      : body_(body.name),
+        has_names_(std::any_of(body.outline.begin(), body.outline.end(), [](const auto &loop) {
+          return std::any_of(loop.pieces.begin(), loop.pieces.end(),
+                             [](const OutlinePiece &piece) { return !piece.side.empty(); });
+        }))
   {
     Assert(body.is_rigid && !body.outline.empty(), dealii::ExcMessage("a rigid body has an outline"));
     for (const OutlineLoop &loop : body.outline)
@@ -122,9 +187,11 @@ namespace abut
     Vector2 start = loop.start;
     for (const OutlinePiece &piece : loop.pieces)
     {
-      for (const Curve &curve : curves_of(start, piece))
+      ++n_pieces_;
+      const std::string name = has_names_ ? rest : std::to_string(n_pieces_);
+      for (const Curve &curve : curves_of(start, piece, "Body " + body_ + "/Outline"))
       {
-        sides.push_back(piece.side.empty() ? rest : piece.side);
+        sides.push_back(piece.side.empty() ? name : piece.side);
         for (Eigen::Index i = 0; i < degree; ++i)
           places.push_back(placement.point_to_world(curve(basis.nodes()[i])));
       }
@@ -152,6 +219,21 @@ namespace abut
       for (unsigned int i = 0; i <= degree; ++i)
         segments_.back().back().nodes.push_back(first + (k * degree + i) % n);
     }
+  }
+
+  std::vector<double> RigidOutline::lengths_at_nodes() const
+  {
+    const Eigen::VectorXd shares = LagrangeBasis(degree).integrals();
+    std::vector<double> lengths(nodes_.places.size(), 0.);
+    for (const auto &loop : segments_)
+      for (const Segment &segment : loop)
+      {
+        const double chord =
+            (nodes_.places[segment.nodes.back()] - nodes_.places[segment.nodes.front()]).norm();
+        for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+          lengths[segment.nodes[i]] += chord * shares[static_cast<Eigen::Index>(i)];
+      }
+    return lengths;
   }
 
   std::vector<std::string> RigidOutline::side_names() const

@@ -12,17 +12,6 @@ namespace abut
   {
     constexpr double band_share = .01; // width of the band in files, of the outline's extent
 
-    double extent_of(const std::vector<Vector2> &places)
-    {
-      Vector2 low = places.front(), high = low;
-      for (const Vector2 &place : places)
-      {
-        low = low.cwiseMin(place);
-        high = high.cwiseMax(place);
-      }
-      return (high - low).norm();
-    }
-
     /// A quadrilateral with a displacement at each corner, in deal.II's order.
     dealii::DataOutBase::Patch<2> patch(const std::array<Vector2, 4> &corners,
                                         const std::array<Vector2, 4> &displacements)
@@ -44,7 +33,7 @@ namespace abut
   OutputPatches RigidBody::output_patches(const OutputFields &fields) const
   {
     const std::vector<Vector2> &places = outline_.nodes().places;
-    const double width = band_share * extent_of(places);
+    const double width = band_share * box_around(places).diagonal();
     OutputPatches output;
     for (const std::vector<unsigned int> &loop : outline_.loops())
       for (std::size_t i = 0; i < loop.size(); ++i)
@@ -53,9 +42,12 @@ namespace abut
         const Vector2 inwards = -width * outward_normal(places[to] - places[from]);
         const Vector2 u_from = fields.displacement.segment<2>(2 * from),
                       u_to = fields.displacement.segment<2>(2 * to);
+        const Vector2 along = places[to] - places[from];
+        const double rotation = cross(along, u_to - u_from) / along.squaredNorm();
+        const Vector2 turned = rotation * Vector2(-inwards.y(), inwards.x());
         output.patches.push_back(
             patch({{places[from], places[to], places[from] + inwards, places[to] + inwards}},
-                  {{u_from, u_to, u_from, u_to}}));
+                  {{u_from, u_to, u_from + turned, u_to + turned}}));
         output.patches.back().patch_index = static_cast<unsigned int>(output.patches.size() - 1);
       }
     output.names = {"displacement", "displacement"};

@@ -30,8 +30,8 @@ namespace abut
     /// that vanishes).
     double contact_depth(std::size_t side) const override;
     Material material_behind(std::size_t) const override { return material(); }
-    /// All of the load of a body that cannot move.
-    LostLoad lost_load(const std::string &side) const override;
+    /// Loads of a body that cannot move are taken by its supports: nothing is lost that could deform it.
+    LostLoad lost_load(const std::string &) const override { return {}; }
     void describe(std::ostream &out) const override;
     const std::vector<Warning> &mesh_warnings() const override { return no_warnings_; }
     std::optional<SideFacets> facets(const std::string &) const override { return {}; }
@@ -57,7 +57,7 @@ namespace abut
     }
     Eigen::VectorXd free_motion(const Eigen::VectorXd &amplitudes) const override;
     double rigid_side_displacement(const Eigen::VectorXd &amplitudes) const override;
-    /// Where several sides hold the body their shares are not determined: the smallest forces are told.
+    /// Where several sides hold the body their shares are not determined: the most even ones are told.
     Reactions reactions(const Eigen::VectorXd &deformation,
                         const Eigen::VectorXd &contact_forces) const override;
     double rigid_side_force(const Eigen::VectorXd &deformation,
@@ -79,6 +79,8 @@ namespace abut
   private:
     void set_up_supports();
     void collect_loads();
+    /// The length that each component stands for; 1 for points.
+    Eigen::VectorXd weights_of_components() const;
     Eigen::VectorXd zero_field() const;
 
     RigidOutline outline_;
