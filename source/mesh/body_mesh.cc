@@ -27,12 +27,12 @@ namespace abut
       if (shape.makes_cells)
         return shape.make(body);
       if (body.cells[0] == 0 || body.cells[1] == 0)
-        throw UserError("Body " + body.name + "/Cells: " + std::to_string(body.cells[0]) + ", " +
+        throw UserError(body.section() + "/Cells: " + std::to_string(body.cells[0]) + ", " +
                         std::to_string(body.cells[1]) + "; both numbers must be at least 1");
       RawMesh mesh = shape.make(body);
       if (body.cell_type == CellType::triangles)
         mesh = split_into_triangles(mesh);
-      check_cells(mesh, "Body " + body.name);
+      check_cells(mesh, body.section());
       return mesh;
     }
 
@@ -80,7 +80,7 @@ namespace abut
     void check_degree(const BodyDescription &body, const CellType cell_type)
     {
       if (cell_type == CellType::triangles && body.degree > 2)
-        throw UserError("Body " + body.name + "/Degree: degree " + std::to_string(body.degree) +
+        throw UserError(body.section() + "/Degree: degree " + std::to_string(body.degree) +
                         " refused for triangles, allowed are 1 and 2");
     }
 
@@ -150,7 +150,7 @@ namespace abut
       attach_charts(*mesh, raw);
     check_degree(body, mesh->cell_type);
     if (mesh->curved)
-      check_jacobians(mesh->triangulation, *mesh->mapping(body.degree), body.degree, "Body " + body.name);
+      check_jacobians(mesh->triangulation, *mesh->mapping(body.degree), body.degree, body.section());
     return mesh;
   }
 

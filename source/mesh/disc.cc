@@ -68,7 +68,7 @@ namespace abut
     RawMesh quarter_disc(const BodyDescription &body)
     {
       if (body.cells[0] % 2 != 0)
-        throw UserError("Body " + body.name + "/Cells: " + std::to_string(body.cells[0]) +
+        throw UserError(body.section() + "/Cells: " + std::to_string(body.cells[0]) +
                         " cells along a quarter arc; a disc needs an even number");
       return quarter_disc_mesh(body.size.at(0), {body.cells[0], body.cells[1]});
     }

@@ -263,7 +263,8 @@ namespace abut
     Conversion conversion(content, body, where);
     check_cells(conversion.mesh(), where);
     check_unfolded(conversion.mesh(), where);
-    check_connected(conversion.mesh(), where);
+    if (!body.is_glued())
+      check_connected(conversion.mesh(), where);
     conversion.add_sides();
     ConvertedMesh result{conversion.mesh(), conversion.between()};
     check_names(content, result.mesh, where);

@@ -30,7 +30,7 @@ namespace abut
     /// A mesh (.msh of any version) or a geometry (.geo, STEP, BREP, IGES), which is meshed.
     RawMesh read_mesh_file(const BodyDescription &body)
     {
-      const std::string where = "Body " + body.name + "/Mesh file " + body.mesh_file;
+      const std::string where = body.section() + "/Mesh file " + body.mesh_file;
       if (!std::filesystem::is_regular_file(body.mesh_path) || !std::ifstream(body.mesh_path))
         throw UserError(where + ": cannot be opened for reading (" + body.mesh_path + ")");
       check_ending(body.mesh_path, where);

@@ -149,7 +149,7 @@ namespace abut
 
     void follow_graphs(RawMesh &mesh, const BodyDescription &body)
     {
-      const std::string where = "Body " + body.name;
+      const std::string where = body.section();
       for (const OutlineLoop &loop : body.outline)
       {
         Vector2 start = loop.start;
@@ -164,7 +164,7 @@ namespace abut
 
     RawMesh outline(const BodyDescription &body)
     {
-      RawMesh mesh = mesh_by_gmsh(body, "Body " + body.name + "/Outline", [&]() {
+      RawMesh mesh = mesh_by_gmsh(body, body.section() + "/Outline", [&]() {
         OutlineModel model;
         std::vector<int> loops;
         for (const OutlineLoop &loop : body.outline)

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/text.h>
 #include <abut/scene/body_description.h>
+#include <abut/scene/part_description.h>
 #include <abut/scene/shape_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <limits>
-#include <utility>
 
 namespace abut
 {
@@ -18,18 +15,6 @@ namespace abut
   {
     using dealii::ParameterHandler;
     namespace Patterns = dealii::Patterns;
-
-    void declare_placement(ParameterHandler &prm)
-    {
-      prm.declare_entry("Scale", "1", Patterns::Double(0.),
-                        "Factor, above 0, on every length of the own frame. No unit.");
-      prm.declare_entry("Mirror", "false", Patterns::Bool(),
-                        "Whether the body is mirrored, x to -x, before it is turned.");
-      prm.declare_entry("Rotation angle", "0", Patterns::Double(),
-                        "Counter-clockwise, about the origin of the own frame. Degrees.");
-      prm.declare_entry("Shift", "0, 0", Patterns::List(Patterns::Double(), 2, 2),
-                        "Where the origin of the own frame lies in the plane. Length.");
-    }
 
     void declare_discretisation(ParameterHandler &prm)
     {
@@ -40,18 +25,17 @@ namespace abut
           "Polynomial degree, 1 to 3 (triangles: 1 or 2). 0: that of the section Discretisation.");
       prm.declare_entry("Adapt", "false", Patterns::Bool(),
                         "Whether the mesh follows the error that Adaptation/Estimator tells.");
-      prm.declare_entry("Nonconforming edges", "hanging nodes", Patterns::Selection("hanging nodes"),
-                        "How edges between a cell and finer ones are joined.");
+      prm.declare_entry(
+          "Nonconforming edges", "hanging nodes", Patterns::Selection("hanging nodes|mortar"),
+          "How edges between a cell and finer ones are joined: the nodes that hang there follow "
+          "the others, or both sides have their own displacements, equal in the mean (section "
+          "Mortar).");
     }
 
     void declare_physics(ParameterHandler &prm)
     {
-      declare_elasticity(prm);
-      prm.declare_entry(
-          "Regions", "", Patterns::Anything(),
-          "Mesh files: regions of another material than the body's, core: steel; lining: rubber. A "
-          "region is a physical surface of the file (name or number), a material a section "
-          "`Material <name>` of the list Materials.");
+      declare_material(prm);
+      declare_glued_parts(prm);
       prm.declare_entry(
           "Allow locking", "false", Patterns::Bool(),
           "Whether elements that fail for nu above 0.45 are used all the same: triangles, which "
@@ -80,24 +64,6 @@ namespace abut
           "condition are free.");
     }
 
-    /// The value of an entry whose lower bound is not allowed itself.
-    double positive(const ParameterHandler &prm, const std::string &entry, const std::string &where)
-    {
-      const double value = prm.get_double(entry);
-      if (!(value > 0.))
-        throw UserError(where + entry + ": received `" + prm.get(entry) + "`, allowed are numbers above 0");
-      return value;
-    }
-
-    Placement parse_placement(const ParameterHandler &prm, const std::string &where)
-    {
-      const auto shift = numbers_of(prm, "Shift");
-      return {positive(prm, "Scale", where),
-              prm.get_bool("Mirror"),
-              prm.get_double("Rotation angle"),
-              {shift[0], shift[1]}};
-    }
-
     unsigned int parse_degree(const ParameterHandler &prm, const unsigned int default_degree,
                               const CellType cell_type, const std::string &where)
     {
@@ -122,26 +88,6 @@ namespace abut
     }
   } // namespace
 
-  namespace
-  {
-    /// Refuses what only bodies that deform, or have a mesh, have.
-    Material rigid_material(const ParameterHandler &prm, const std::string &where)
-    {
-      for (const auto &[entry, unused] : {std::pair("Young modulus", "1"),
-                                          {"Poisson ratio", "0.3"},
-                                          {"Degree", "0"},
-                                          {"Adapt", "false"},
-                                          {"Cells", "8, 8"},
-                                          {"Cell type", "quadrilaterals"},
-                                          {"Body force", ""}})
-        if (prm.get(entry) != unused)
-          throw UserError(
-              where + entry + ": received `" + prm.get(entry) +
-              "`, but a rigid body neither deforms nor has a mesh or a mass; leave the entry out");
-      return {std::numeric_limits<double>::infinity(), 0.};
-    }
-  } // namespace
-
   void BodyDescription::declare(ParameterHandler &prm)
   {
     declare_shape_parameters(prm);
@@ -151,44 +97,25 @@ namespace abut
   }
 
   BodyDescription BodyDescription::parse(ParameterHandler &prm, const std::string &name,
-                                         const unsigned int default_degree, const Constants &constants,
-                                         const Materials &materials, const std::string &directory)
+                                         const BodyContext &context)
   {
     const std::string where = "Body " + name + "/";
+    const Constants &constants = context.constants;
     BodyDescription body;
     body.name = name;
-    parse_shape_parameters(prm, body, constants, where, directory);
+    parse_shape_parameters(prm, body, constants, where, context.directory);
+    body.joints.mortar_edges = prm.get("Nonconforming edges") == "mortar";
+    body.joints.mortar = context.mortar;
     body.placement = parse_placement(prm, where);
-    body.degree = parse_degree(prm, default_degree, body.cell_type, where);
+    body.degree = parse_degree(prm, context.default_degree, body.cell_type, where);
     body.adapt = prm.get_bool("Adapt");
-    const Material material = body.is_rigid ? rigid_material(prm, where) : parse_elasticity(prm, where);
-    body.young_modulus = material.young_modulus;
-    body.poisson_ratio = material.poisson_ratio;
-    body.regions = parse_regions(prm.get("Regions"), materials, where + "Regions");
-    if (!body.regions.empty() && body.mesh_file.empty())
-      throw UserError(where + "Regions: received `" + prm.get("Regions") +
-                      "`, only bodies from a mesh file have regions");
+    parse_material(prm, body, context.materials, where);
+    parse_glued_parts(prm, body, context.parts, where);
     body.allow_locking = prm.get_bool("Allow locking");
     body.body_force = parse_body_force(prm.get("Body force"), constants, where + "Body force");
     body.conditions = parse_conditions(prm.get("Conditions"), constants, where + "Conditions");
     if (const double depth = prm.get_double("Contact depth"); depth > 0.)
       body.contact_depth = depth;
     return body;
-  }
-
-  std::vector<Material> BodyDescription::materials() const
-  {
-    std::vector<Material> all{{young_modulus, poisson_ratio}};
-    for (const RegionMaterial &region : regions)
-      all.push_back(region.material);
-    return all;
-  }
-
-  double BodyDescription::largest_poisson_ratio() const
-  {
-    double largest = poisson_ratio;
-    for (const RegionMaterial &region : regions)
-      largest = std::max(largest, region.material.poisson_ratio);
-    return largest;
   }
 } // namespace abut

@@ -99,7 +99,7 @@ namespace abut
   void parse_glued_parts(const dealii::ParameterHandler &prm, BodyDescription &body, const Parts &parts,
                          const std::string &where)
   {
-    body.glue = parse_glue(prm.get("Glue"), where + "Glue");
+    body.joints.glue = parse_glue(prm.get("Glue"), where + "Glue");
     const auto names = dealii::Utilities::split_string_list(prm.get("Parts"));
     if (shape_of(body).takes_parts == names.empty())
       throw UserError(where + "Parts: received `" + prm.get("Parts") +
@@ -119,7 +119,7 @@ namespace abut
       body.parts.back().degree = body.degree;
     }
     take_materials_of_parts(prm, body, where);
-    body.glue.automatic = body.glue.automatic || prm.get("Glue").empty();
+    body.joints.glue.automatic = body.joints.glue.automatic || prm.get("Glue").empty();
   }
 
   void declare_part(dealii::ParameterHandler &prm)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/scene/placement.h>
+#include <abut/scene/shape_parameters.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 
@@ -48,5 +51,38 @@ namespace abut
   Vector2 Placement::direction_to_world(const Vector2 &own_direction) const
   {
     return turn_ * own_direction;
+  }
+
+  namespace
+  {
+    /// The value of an entry whose lower bound is not allowed itself.
+    double positive(const dealii::ParameterHandler &prm, const std::string &entry, const std::string &where)
+    {
+      const double value = prm.get_double(entry);
+      if (!(value > 0.))
+        throw UserError(where + entry + ": received `" + prm.get(entry) + "`, allowed are numbers above 0");
+      return value;
+    }
+  } // namespace
+
+  void declare_placement(dealii::ParameterHandler &prm)
+  {
+    prm.declare_entry("Scale", "1", dealii::Patterns::Double(0.),
+                      "Factor, above 0, on every length of the own frame. No unit.");
+    prm.declare_entry("Mirror", "false", dealii::Patterns::Bool(),
+                      "Whether the body is mirrored, x to -x, before it is turned.");
+    prm.declare_entry("Rotation angle", "0", dealii::Patterns::Double(),
+                      "Counter-clockwise, about the origin of the own frame. Degrees.");
+    prm.declare_entry("Shift", "0, 0", dealii::Patterns::List(dealii::Patterns::Double(), 2, 2),
+                      "Where the origin of the own frame lies in the plane. Length.");
+  }
+
+  Placement parse_placement(const dealii::ParameterHandler &prm, const std::string &where)
+  {
+    const auto shift = numbers_of(prm, "Shift");
+    return {positive(prm, "Scale", where),
+            prm.get_bool("Mirror"),
+            prm.get_double("Rotation angle"),
+            {shift[0], shift[1]}};
   }
 } // namespace abut

@@ -2,6 +2,7 @@
 #include <abut/base/text.h>
 #include <abut/scene/consistency.h>
 #include <abut/scene/parameter_file.h>
+#include <abut/scene/part_description.h>
 #include <abut/scene/preamble.h>
 #include <abut/scene/scene.h>
 #include <abut/scene/scheme_checks.h>
@@ -45,21 +46,47 @@ namespace abut
                                                             {"Constants", Preamble::declare_constants}};
 
     std::vector<SectionDeclaration> other_sections(const Names &bodies, const Names &contacts,
-                                                   const Names &materials)
+                                                   const Names &materials, const Names &parts)
     {
       std::vector<SectionDeclaration> sections = {{"Output", declare_output},
                                                   {"Discretisation", declare_discretisation_defaults}};
       for (const auto &name : materials)
         sections.push_back({"Material " + name, declare_elasticity});
+      for (const auto &name : parts)
+        sections.push_back({"Part " + name, declare_part});
       for (const auto &name : bodies)
         sections.push_back({"Body " + name, BodyDescription::declare});
       for (const auto &name : contacts)
         sections.push_back({"Contact " + name, ContactDescription::declare});
       sections.push_back({"Decomposition", DecompositionParameters::declare});
+      sections.push_back({"Mortar", MortarParameters::declare});
       sections.push_back({"Adaptation", AdaptationParameters::declare});
       sections.push_back({"Reference", ReferenceParameters::declare});
       sections.push_back({"Study", StudyParameters::declare});
       return sections;
+    }
+
+    /// Of the sections `Part <name>`, in their order.
+    Names parts_in(const std::vector<ParameterLine> &lines)
+    {
+      const std::string word = "Part ";
+      Names names;
+      for (const ParameterLine &line : lines)
+        if (line.sections.size() == 1 && line.section().compare(0, word.size(), word) == 0)
+          if (const std::string name = line.section().substr(word.size());
+              std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+      return names;
+    }
+
+    void check_parts_used(const Scene &scene, const Names &parts)
+    {
+      for (const std::string &name : parts)
+        if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyDescription &body) {
+              return std::any_of(body.parts.begin(), body.parts.end(),
+                                 [&](const BodyDescription &part) { return part.name == name; });
+            }))
+          throw UserError("Part " + name + ": no body has it in its Parts");
     }
 
     void check_body_sections(const std::vector<ParameterLine> &lines, const Names &bodies)
@@ -72,7 +99,7 @@ namespace abut
           throw UserError("Bodies: `" + name + "` needs a section `Body " + name + "`, there is none");
     }
 
-    void parse_bodies(const ParameterSections &sections, const Preamble &preamble,
+    void parse_bodies(const ParameterSections &sections, const Preamble &preamble, const Names &part_names,
                       const std::string &directory, Scene &scene)
     {
       const auto degree = sections.parse("Discretisation", [](const ParameterHandler &prm) {
@@ -83,10 +110,18 @@ namespace abut
         materials[name] = sections.parse("Material " + name, [&](const ParameterHandler &prm) {
           return parse_elasticity(prm, "Material " + name + "/");
         });
+      Parts parts;
+      const BodyContext context{
+          degree,   preamble.constants, materials, parts, sections.parse("Mortar", MortarParameters::parse),
+          directory};
+      for (const auto &name : part_names)
+        parts.push_back(sections.parse(
+            "Part " + name, [&](const ParameterHandler &prm) { return parse_part(prm, name, context); }));
       for (const auto &name : preamble.bodies)
         scene.bodies.push_back(sections.parse("Body " + name, [&](ParameterHandler &prm) {
-          return BodyDescription::parse(prm, name, degree, preamble.constants, materials, directory);
+          return BodyDescription::parse(prm, name, context);
         }));
+      check_parts_used(scene, part_names);
     }
 
     void check_tolerance(const ParameterHandler &prm)
@@ -125,9 +160,16 @@ namespace abut
         sections.parse(section, [&](ParameterHandler &prm) { prm.set(entry, value); });
       };
       set("Output", "Directory", scene.output_directory);
-      for (const auto &body : scene.bodies)
+      const auto set_file = [&](const std::string &section, const BodyDescription &body) {
         if (!body.mesh_file.empty())
-          set("Body " + body.name, "Mesh file", std::filesystem::absolute(body.mesh_path).string());
+          set(section + body.name, "Mesh file", std::filesystem::absolute(body.mesh_path).string());
+      };
+      for (const auto &body : scene.bodies)
+      {
+        set_file("Body ", body);
+        for (const BodyDescription &part : body.parts)
+          set_file("Part ", part);
+      }
       return sections.text();
     }
 
@@ -143,11 +185,12 @@ namespace abut
       sections.declare(first_sections);
       sections.set(lines, true);
       const Preamble preamble = Preamble::parse(sections);
-      sections.declare(other_sections(preamble.bodies, preamble.contacts, preamble.materials));
+      const Names parts = parts_in(lines);
+      sections.declare(other_sections(preamble.bodies, preamble.contacts, preamble.materials, parts));
       sections.set(lines, false);
       check_body_sections(lines, preamble.bodies);
 
-      parse_bodies(sections, preamble, input.directory(), scene);
+      parse_bodies(sections, preamble, parts, input.directory(), scene);
       parse_rest(sections, preamble, scene);
       check_consistency(scene);
       check_scheme(scene);
@@ -177,7 +220,7 @@ namespace abut
   {
     ParameterHandler prm;
     std::vector<SectionDeclaration> sections = first_sections;
-    for (const SectionDeclaration &section : other_sections({"<name>"}, {"<name>"}, {"<name>"}))
+    for (const SectionDeclaration &section : other_sections({"<name>"}, {"<name>"}, {"<name>"}, {"<name>"}))
       sections.push_back(section);
     for (const auto &[name, declare] : sections)
       if (name.empty())

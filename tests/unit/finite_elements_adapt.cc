@@ -264,7 +264,7 @@ TEST(ElasticityAdapt, EverythingBelongsToTheNewMesh)
                                                                 body.contact_sides()[1].n_nodes())));
     for (const Trace &side : body.contact_sides())
       for (const auto &dofs : side.node_dofs())
-        EXPECT_FALSE(body.space().is_hanging(dofs[0]) || body.space().is_hanging(dofs[1]));
+        EXPECT_FALSE(body.space().is_constrained(dofs[0]) || body.space().is_constrained(dofs[1]));
     const Eigen::VectorXd trace = Eigen::VectorXd::LinSpaced(body.trace_size(), 0., 1.);
     EXPECT_EQ(body.trace_of(body.extended_by_zero(trace)).size(), trace.size());
     body.prepare();

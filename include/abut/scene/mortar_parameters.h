@@ -60,6 +60,14 @@ namespace abut
     bool is_empty() const { return !automatic && pairs.empty(); }
   };
 
+  /// How the meshes inside a body are joined where they do not match.
+  struct JointDescription
+  {
+    GlueDescription glue;
+    MortarParameters mortar;
+    bool mortar_edges = false; ///< edges between a cell and finer ones by mortar, not by hanging nodes
+  };
+
   /// Reads `automatic`, `none` or `base.top - insert.bottom; ...`, the slave first. Throws UserError,
   /// beginning with `where`.
   GlueDescription parse_glue(const std::string &text, const std::string &where);

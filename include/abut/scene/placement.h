@@ -3,6 +3,13 @@
 
 #include <abut/base/vector2.h>
 
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace abut
 {
   /**
@@ -30,4 +37,9 @@ namespace abut
     Eigen::Matrix2d turn_ = Eigen::Matrix2d::Identity(); // R M
     Vector2 shift_ = Vector2::Zero();
   };
+
+  /// The entries of a placement.
+  void declare_placement(dealii::ParameterHandler &prm);
+  /// Throws UserError, beginning with `where`.
+  Placement parse_placement(const dealii::ParameterHandler &prm, const std::string &where);
 } // namespace abut

@@ -24,6 +24,7 @@ namespace abut
     bool makes_cells = false;   ///< of a kind and number of its own, in place of Size and Cells
     bool reads_file = false;    ///< Mesh file
     bool is_rigid = false;      ///< does not deform and has no mesh: `make` is null
+    bool takes_parts = false;   ///< needs `Parts`; the others have none
     bool takes_outline = false; ///< needs `Outline`; the others have none
     bool takes_grading = false; ///< `Grading` may differ from 1, 1
     bool takes_top = false;     ///< needs `Top`; the others have none

@@ -3,6 +3,7 @@
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
+#include <abut/bodies/finite_elements/glue.h>
 #include <abut/bodies/finite_elements/locking.h>
 #include <abut/bodies/finite_elements/nodes.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
@@ -67,6 +68,9 @@ namespace abut
           unite_sides(*mesh, condition.boundary);
       for (const std::string &side : contact_sides)
         unite_sides(*mesh, side);
+      for (const auto &[slave, master] : description.joints.glue.pairs)
+        for (const std::string &side : {slave, master})
+          unite_sides(*mesh, side);
       return mesh;
     }
   } // namespace
@@ -77,6 +81,8 @@ namespace abut
         space_(std::make_unique<Space>(mesh_of(description, contact_sides), description.degree)),
         contact_side_names_(contact_sides)
   {
+    if (auto glued = find_glue(*space_, description, contact_sides); !glued.empty())
+      space_->glue(std::move(glued), description.joints.mortar.multipliers);
     set_up();
     refuse_locking(description, *space_, supports_);
   }
@@ -134,9 +140,9 @@ namespace abut
     side_motion_ = supports_.moving;
     tell_supports();
     rigid_motions_ = split_off_rigid_motions(nodes, supports_);
-    if (!space_->has_hanging_nodes())
+    if (!space_->has_constraints())
       return;
-    const auto &expand = space_->hanging_node_expansion();
+    const auto &expand = space_->expansion();
     supports_.free_directions = expand * supports_.free_directions;
     for (Eigen::VectorXd *const field :
          {&supports_.fixed, &supports_.moving, &side_motion_, &rigid_motions_.fixed, &rigid_motions_.moving})
@@ -278,9 +284,9 @@ namespace abut
                                                     const Eigen::VectorXd &contact_forces) const
   {
     const Eigen::VectorXd forces = stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
-    if (!space_->has_hanging_nodes())
+    if (!space_->has_constraints())
       return forces;
-    return space_->hanging_node_expansion().transpose() * forces;
+    return space_->expansion().transpose() * forces;
   }
 
   double FiniteElementBody::rigid_side_force(const Eigen::VectorXd &deformation,

@@ -34,11 +34,11 @@ namespace abut
   Nodes free_nodes(const Space &space)
   {
     const Nodes all = all_nodes(space);
-    if (!space.has_hanging_nodes())
+    if (!space.has_constraints())
       return all;
     Nodes nodes;
     for (std::size_t i = 0; i < all.dofs.size(); ++i)
-      if (!space.is_hanging(all.dofs[i][0]))
+      if (!space.is_constrained(all.dofs[i][0]))
       {
         nodes.dofs.push_back(all.dofs[i]);
         nodes.places.push_back(all.places[i]);

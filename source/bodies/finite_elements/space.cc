@@ -3,6 +3,7 @@
 #include <abut/bodies/finite_elements/space.h>
 #include <abut/mesh/jacobians.h>
 #include <abut/trace/make_trace.h>
+#include <abut/trace/mortar.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -34,7 +35,7 @@ namespace abut
       return false;
     }
 
-    /// H of Space::hanging_node_expansion.
+    /// H of Space::expansion.
     Eigen::SparseMatrix<double> expansion(const dealii::AffineConstraints<double> &constraints,
                                           const Eigen::Index n)
     {
@@ -54,6 +55,28 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    /// The nodes inside the slave follow the others.
+    void add_mortar(const Trace &slave, const Trace &master, const Mortar &mortar,
+                    dealii::AffineConstraints<double> &constraints)
+    {
+      for (std::size_t i = 0; i < mortar.slaves.size(); ++i)
+        for (const std::size_t component : {0, 1})
+        {
+          const unsigned int dof = slave.node_dofs()[mortar.slaves[i]][component];
+          constraints.add_line(dof);
+          const auto add = [&](const Mortar::Matrix &matrix, const Trace &side) {
+            for (Mortar::Matrix::InnerIterator entry(matrix, static_cast<Eigen::Index>(i)); entry; ++entry)
+              constraints.add_entry(dof, side.node_dofs()[static_cast<std::size_t>(entry.col())][component],
+                                    entry.value());
+          };
+          add(mortar.of_slave_side, slave);
+          add(mortar.of_master_side, master);
+        }
+    }
+  } // namespace
+
   Space::Space(std::unique_ptr<BodyMesh> mesh, const unsigned int degree)
       : mesh_(std::move(mesh)), mapping_(mesh_->mapping(degree)), dof_handler_(mesh_->triangulation)
   {
@@ -70,14 +93,37 @@ namespace abut
   {
     ++n_meshes_;
     dof_handler_.distribute_dofs(*element_);
-    dealii::AffineConstraints<double> constraints;
-    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints);
+    constrain();
+  }
+
+  void Space::glue(std::vector<GluedSides> sides, const MortarMultipliers multipliers)
+  {
+    glued_ = std::move(sides);
+    multipliers_ = multipliers;
+    constrain();
+  }
+
+  void Space::constrain()
+  {
+    dealii::AffineConstraints<double> hanging;
+    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, hanging);
+    dealii::AffineConstraints<double> constraints(hanging);
+    hanging.close();
+    has_hanging_nodes_ = hanging.n_constraints() > 0;
+    for (const GluedSides &pair : glued_)
+    {
+      const Trace slave = trace(pair.slave), master = trace(pair.master);
+      add_mortar(slave, master, make_mortar(overlap_of(slave, master, pair.reach), multipliers_),
+                 constraints);
+    }
     constraints.close();
-    has_hanging_nodes_ = constraints.n_constraints() > 0;
-    hanging_.assign(dof_handler_.n_dofs(), false);
+    has_constraints_ = constraints.n_constraints() > 0;
+    constrained_.assign(dof_handler_.n_dofs(), false);
     for (dealii::types::global_dof_index i = 0; i < dof_handler_.n_dofs(); ++i)
-      hanging_[i] = constraints.is_constrained(i);
-    expansion_ = expansion(constraints, n_dofs());
+      constrained_[i] = constraints.is_constrained(i);
+    expansion_ = abut::expansion(constraints, n_dofs());
+    if (!glued_.empty())
+      hanging_expansion_ = abut::expansion(hanging, n_dofs());
   }
 
   std::vector<Eigen::VectorXd> Space::adapt(const CellMarks &marks,

@@ -67,10 +67,10 @@ namespace abut
     {
       return trace_to_dofs_.transpose() * field;
     }
-    /// But for hanging nodes, which follow the others.
+    /// But for constrained unknowns, which follow the others.
     Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const override
     {
-      return space_->hanging_node_expansion() * (trace_to_dofs_ * trace);
+      return space_->expansion() * (trace_to_dofs_ * trace);
     }
     Eigen::VectorXd prescribed_trace() const override { return trace_of(supports_.fixed + rigid_motion(0.)); }
     void visit_displacement(const Eigen::VectorXd &field, SamplePoints points,

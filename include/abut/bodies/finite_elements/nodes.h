@@ -7,6 +7,6 @@
 namespace abut
 {
   Nodes all_nodes(const Space &space);
-  /// Those that are free to move: all but the hanging ones.
+  /// Those that are free to move: all but those that others determine.
   Nodes free_nodes(const Space &space);
 } // namespace abut

@@ -22,10 +22,18 @@ namespace abut
 {
   using Cell = dealii::DoFHandler<2>::active_cell_iterator;
 
+  /// Two sides of a body that are glued: the nodes inside the slave follow the master's, see Mortar.
+  struct GluedSides
+  {
+    dealii::types::boundary_id slave, master;
+    std::string slave_name, master_name;
+    double reach; ///< how far one lies from the other at most
+  };
+
   /**
    * The finite-element space of one body: vector-valued Lagrange elements of degree p on its mesh,
-   * isoparametric on curved bodies. Owns the mesh. Where cells meet finer ones, the unknowns at hanging nodes
-   * are determined by the others, so that fields are continuous.
+   * isoparametric on curved bodies. Owns the mesh. Some unknowns are determined by others: where cells meet
+   * finer ones those at hanging nodes, so that fields are continuous there, and those of glued sides.
    */
   class Space
   {
@@ -39,12 +47,22 @@ namespace abut
     Eigen::Index n_dofs() const { return static_cast<Eigen::Index>(dof_handler_.n_dofs()); }
     unsigned int degree() const { return dof_handler_.get_fe().degree; }
 
+    /// Glues sides, on this mesh and those to come. Numbers of unknowns stay.
+    void glue(std::vector<GluedSides> sides, MortarMultipliers multipliers);
+    const std::vector<GluedSides> &glued_sides() const { return glued_; }
+
     bool has_hanging_nodes() const { return has_hanging_nodes_; }
-    /// Whether an unknown is determined by others.
-    bool is_hanging(const dealii::types::global_dof_index dof) const { return hanging_[dof]; }
-    /// H: a vector with any values at hanging nodes becomes a field, H u. The columns of hanging nodes are
-    /// zero, so that H^T moves their forces to the nodes that determine them.
-    const Eigen::SparseMatrix<double> &hanging_node_expansion() const { return expansion_; }
+    /// Whether some unknowns are determined by others.
+    bool has_constraints() const { return has_constraints_; }
+    bool is_constrained(const dealii::types::global_dof_index dof) const { return constrained_[dof]; }
+    /// H: a vector with any values of constrained unknowns becomes a field, H u. Their columns are zero, so
+    /// that H^T moves their forces to the unknowns that determine them.
+    const Eigen::SparseMatrix<double> &expansion() const { return expansion_; }
+    /// The same for hanging nodes alone: what it makes of stresses is not carried across glued sides.
+    const Eigen::SparseMatrix<double> &hanging_node_expansion() const
+    {
+      return glued_.empty() ? expansion_ : hanging_expansion_;
+    }
 
     /**
      * Splits and merges the marked cells and carries fields (vectors of all unknowns) over to the new mesh:
@@ -69,16 +87,20 @@ namespace abut
   private:
     /// Numbers the unknowns of the present mesh.
     void distribute();
+    /// Finds those that others determine.
+    void constrain();
 
     std::unique_ptr<BodyMesh> mesh_;
     std::unique_ptr<dealii::Mapping<2>> mapping_;
     std::unique_ptr<dealii::FiniteElement<2>> element_;
     dealii::DoFHandler<2> dof_handler_;
     dealii::Quadrature<2> quadrature_;
-    std::vector<bool> hanging_;
-    bool has_hanging_nodes_ = false;
+    std::vector<GluedSides> glued_;
+    MortarMultipliers multipliers_ = MortarMultipliers::dual;
+    std::vector<bool> constrained_;
+    bool has_hanging_nodes_ = false, has_constraints_ = false;
     unsigned int n_meshes_ = 0;
-    Eigen::SparseMatrix<double> expansion_;
+    Eigen::SparseMatrix<double> expansion_, hanging_expansion_; // the second one only of glued bodies
   };
 
   /// Gauss rule with n points in each direction of a quadrilateral; for triangles the one of like accuracy.
