@@ -11,7 +11,7 @@ namespace abut
 {
   CellErrors compare(const BodySolution &solution, const std::vector<Stress> &better)
   {
-    const Material material = solution.body.material();
+    const std::vector<CellInfo> cells = solution.body.cells();
     CellErrors errors;
     errors.stress = errors.energy = errors.areas =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(solution.body.counts().cells));
@@ -21,6 +21,7 @@ namespace abut
       const Stress &stress = better[i++];
       const Stress difference = stress - own;
       const auto cell = static_cast<Eigen::Index>(point.cell);
+      const Material &material = cells[point.cell].material;
       errors.stress[cell] += point.weight * difference.square();
       errors.energy[cell] += point.weight * material.energy_density(difference);
       errors.areas[cell] += point.weight;
@@ -39,7 +40,7 @@ namespace abut
 
   void check_one_material(const Body &body, const std::string &estimator)
   {
-    if (!body.has_one_material())
+    if (body.description().has_inner_interfaces())
       throw UserError("Body " + body.name() + ": it has Regions of other materials; Adaptation/Estimator = " +
                       estimator + " is for bodies of one, allowed is kelly");
   }

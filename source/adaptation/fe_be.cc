@@ -8,18 +8,9 @@ namespace abut
   namespace
   {
     const std::string asked = "Adaptation/Estimator = fe-be";
-
-    std::vector<Vector2> comparison_points(const BodySolution &solution)
-    {
-      std::vector<Vector2> points;
-      solution.body.visit_displacement(solution.deformation, SamplePoints::comparison,
-                                       [&](const SamplePoint &point, const Vector2 &,
-                                           const Eigen::Matrix2d &) { points.push_back(point.place); });
-      return points;
-    }
   } // namespace
 
-  std::shared_ptr<const BoundaryModel> FEBEIndicator::model_of(const Body &body, BoundaryCost &cost) const
+  std::shared_ptr<const BoundaryModels> FEBEIndicator::model_of(const Body &body, BoundaryCost &cost) const
   {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -29,10 +20,10 @@ namespace abut
       kept_.erase(&body);
     }
     ++cost.models;
-    std::shared_ptr<const BoundaryModel> model;
+    std::shared_ptr<const BoundaryModels> model;
     {
       const Stopwatch watch(cost.assemble);
-      model = std::make_shared<const BoundaryModel>(as_finite_elements(body, asked), kind_);
+      model = std::make_shared<const BoundaryModels>(as_finite_elements(body, asked), kind_);
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     kept_[&body] = {body.mesh_version(), model};
@@ -43,9 +34,9 @@ namespace abut
   {
     BoundaryCost cost;
     const auto model = model_of(solution.body, cost);
-    cost.elements = model->space().n_elements();
+    cost.elements = model->n_elements();
     cost.unknowns = model->n_unknowns();
-    CellErrors errors = compare(solution, model->stress(solution, comparison_points(solution), cost));
+    CellErrors errors = compare(solution, model->stress(solution, cost));
     errors.boundary = cost;
     return errors;
   }

@@ -3,6 +3,7 @@
 #include <abut/adaptation/kelly.h>
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/boundary_traction.h>
+#include <abut/bodies/finite_elements/glue_partners.h>
 #include <abut/bodies/finite_elements/stress_field.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -42,7 +43,7 @@ namespace abut
     public:
       Estimate(const FiniteElementBody &body, const BodySolution &solution)
           : solution_(solution), space_(body.space()), materials_(body.description()),
-            field_(body, solution.deformation), boundary_(body, solution.contact_forces),
+            field_(body, solution.deformation), boundary_(body, solution.contact_forces), glue_(body.space()),
             degree_(space_.degree()), rule_(degree_ + 1), // faces of both cell types are lines
             face_(space_.mapping(), space_.dof_handler().get_fe(), rule_,
                   dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
@@ -131,11 +132,20 @@ namespace abut
       void add_boundary_face(const Cell &cell, const unsigned int f)
       {
         face_.reinit(cell, f);
-        const double factor = 4. * face_factor(cell, cell->face(f)->measure());
+        const auto boundary = cell->face(f)->boundary_id();
+        const double inner_factor = face_factor(cell, cell->face(f)->measure()), factor = 4. * inner_factor;
         for (const unsigned int q : face_.quadrature_point_indices())
         {
           const Vector2 normal = normal_at(q);
-          const KnownTraction known = boundary_.at(face_, q, cell->face(f)->boundary_id(), dofs_);
+          if (glue_.is_glued(boundary))
+            if (const auto partner = glue_.opposite(boundary, place_at(q)))
+            {
+              const Vector2 jump = traction(field_.at(cell, face_, q, dofs_) - stress_at(*partner), normal);
+              squares_[cell->active_cell_index()].add(jump, normal, materials_(cell),
+                                                      inner_factor * face_.JxW(q));
+              continue;
+            }
+          const KnownTraction known = boundary_.at(face_, q, boundary, dofs_);
           const Vector2 difference = known.value - traction(field_.at(cell, face_, q, dofs_), normal);
           Vector2 residual = Vector2::Zero();
           for (const Vector2 &direction : known.directions)
@@ -163,6 +173,19 @@ namespace abut
         }
       }
 
+      Vector2 place_at(const unsigned int q) const
+      {
+        const auto place = face_.quadrature_point(q);
+        return Vector2(place[0], place[1]);
+      }
+
+      /// What lies opposite on a glued side.
+      Stress stress_at(const GluePartner &partner)
+      {
+        partner.cell->get_dof_indices(other_dofs_);
+        return stress_in(partner.cell, {partner.unit}).front();
+      }
+
       Vector2 normal_at(const unsigned int q) const
       {
         const auto normal = face_.normal_vector(q);
@@ -175,6 +198,12 @@ namespace abut
         std::vector<dealii::Point<2>> unit_points;
         for (const auto &point : face_.get_quadrature_points())
           unit_points.push_back(space_.mapping().transform_real_to_unit_cell(neighbour, point));
+        return stress_in(neighbour, unit_points);
+      }
+
+      /// At points of the reference cell of a cell whose unknowns are in `other_dofs_`.
+      std::vector<Stress> stress_in(const Cell &neighbour, const std::vector<dealii::Point<2>> &unit_points)
+      {
         std::vector<double> values;
         for (const auto dof : other_dofs_)
           values.push_back(solution_.deformation[static_cast<Index>(dof)]);
@@ -183,7 +212,7 @@ namespace abut
         std::vector<Stress> stress(unit_points.size());
         for (unsigned int q = 0; q < unit_points.size(); ++q)
         {
-          const auto place = face_.quadrature_point(q);
+          const auto place = space_.mapping().transform_unit_to_real_cell(neighbour, unit_points[q]);
           const auto shown = other_.get_gradient(q);
           Eigen::Matrix2d gradient;
           gradient << shown[0][0], shown[0][1], shown[1][0], shown[1][1];
@@ -197,6 +226,7 @@ namespace abut
       const CellMaterials materials_;
       const StressField field_;
       const BoundaryTraction boundary_;
+      const GluePartners glue_;
       const unsigned int degree_;
       const dealii::QGauss<1> rule_;
       dealii::FEFaceValues<2> face_;

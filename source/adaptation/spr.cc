@@ -185,7 +185,7 @@ namespace abut
     const FiniteElementBody &body = as_finite_elements(solution.body, "Adaptation/Estimator = spr");
     const Space &space = body.space();
     const std::map<unsigned int, StressPolynomial> polynomials = fit_all(body, solution);
-    const double nu = body.material().poisson_ratio;
+    const CellMaterials materials(body.description());
     dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(),
                                sample_rule(space, SamplePoints::comparison),
                                dealii::update_quadrature_points);
@@ -193,6 +193,7 @@ namespace abut
     for (const auto &cell : space.dof_handler().active_cell_iterators())
     {
       values.reinit(cell);
+      const double nu = materials(cell).poisson_ratio;
       for (const unsigned int q : values.quadrature_point_indices())
       {
         const auto place = values.quadrature_point(q);

@@ -44,7 +44,7 @@ namespace abut
     const FiniteElementBody &body = as_finite_elements(solution.body, "Adaptation/Estimator = zz");
     const Space &space = body.space();
     const NodalStress nodal = nodal_means(body, solution.deformation);
-    const double nu = body.material().poisson_ratio;
+    const CellMaterials materials(body.description());
     const auto &fe = space.dof_handler().get_fe();
     dealii::FEValues<2> values(space.mapping(), fe, sample_rule(space, SamplePoints::comparison),
                                dealii::update_values);
@@ -54,6 +54,7 @@ namespace abut
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);
+      const double nu = materials(cell).poisson_ratio;
       for (const unsigned int q : values.quadrature_point_indices())
       {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();

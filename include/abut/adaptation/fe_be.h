@@ -2,7 +2,7 @@
 #pragma once
 
 #include <abut/adaptation/indicator.h>
-#include <abut/bodies/boundary_elements/boundary_model.h>
+#include <abut/bodies/boundary_elements/boundary_models.h>
 
 #include <map>
 #include <memory>
@@ -29,9 +29,9 @@ namespace abut
     struct Kept
     {
       unsigned int mesh;
-      std::shared_ptr<const BoundaryModel> model;
+      std::shared_ptr<const BoundaryModels> model;
     };
-    std::shared_ptr<const BoundaryModel> model_of(const Body &body, BoundaryCost &cost) const;
+    std::shared_ptr<const BoundaryModels> model_of(const Body &body, BoundaryCost &cost) const;
 
     BoundarySolution kind_;
     mutable std::mutex mutex_;

@@ -71,8 +71,6 @@ namespace abut
     virtual Counts counts() const = 0;
     virtual BodyCounters counters() const = 0;
 
-    bool has_one_material() const { return description_.regions.empty(); }
-
     // Its mesh.
     /// Changes whenever the mesh does, and with it the unknowns.
     virtual unsigned int mesh_version() const = 0;

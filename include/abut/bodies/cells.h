@@ -17,6 +17,7 @@ namespace abut
     double diameter = 0.;
     unsigned int level = 0; ///< how often it was split
     bool at_boundary = false;
+    Material material;
   };
 
   /// Sets of points in the cells of a body. Cells are visited by their index, points of a cell in an order

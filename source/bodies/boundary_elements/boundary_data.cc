@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace abut
 {
@@ -23,10 +24,20 @@ namespace abut
       return Vector2(element.direction.imag(), -element.direction.real());
     }
 
-    /// Scaled as boundary elements see it: force times length by the shear modulus.
-    Vector2 scaled_body_force(const FiniteElementBody &body, const BoundarySpace &space)
+    /// Each once.
+    std::set<dealii::types::boundary_id> glued_boundaries(const Space &space)
     {
-      return body_force(body.description(), Vector2::Zero()) * space.unit_length() / body.material().mu();
+      std::set<dealii::types::boundary_id> boundaries;
+      for (const GluedSides &pair : space.glued_sides())
+        boundaries.insert({pair.slave, pair.master});
+      return boundaries;
+    }
+
+    /// Scaled as boundary elements see it: force times length by the shear modulus.
+    Vector2 scaled_body_force(const FiniteElementBody &body, const Material &material,
+                              const BoundarySpace &space)
+    {
+      return body_force(body.description(), Vector2::Zero()) * space.unit_length() / material.mu();
     }
   } // namespace
 
@@ -44,11 +55,12 @@ namespace abut
     return {xx, yy, 0., nu_ * (xx + yy)};
   }
 
-  BoundaryData::BoundaryData(const FiniteElementBody &body, const GradedSides &sides,
-                             const BoundarySpace &space, const unsigned int load_degree)
-      : body_(body), sides_(sides), space_(space), load_degree_(load_degree),
+  BoundaryData::BoundaryData(const FiniteElementBody &body, const Material &material,
+                             const GradedSides &sides, const BoundarySpace &space,
+                             const unsigned int load_degree)
+      : body_(body), material_(material), sides_(sides), space_(space), load_degree_(load_degree),
         prescribed_(Eigen::VectorXd::Zero(2 * space.n_coefficients())),
-        uniform_(scaled_body_force(body, space), body.material().poisson_ratio)
+        uniform_(scaled_body_force(body, material, space), material.poisson_ratio)
   {
     const SideConditions conditions(body);
     const std::vector<dealii::types::boundary_id> &boundaries = sides.boundaries();
@@ -61,9 +73,17 @@ namespace abut
             conditions.supported(boundaries[i], element_normal(space.elements()[supported_.size()])));
       add_prescribed(conditions, side, boundaries[i], first_element_[i]);
     }
+    const auto add_loaded = [&](const dealii::types::boundary_id boundary,
+                                const std::optional<std::size_t> contact) {
+      const auto found = std::find(boundaries.begin(), boundaries.end(), boundary);
+      if (found != boundaries.end()) // else of another piece
+        loaded_.push_back(
+            {body.space().trace(boundary), static_cast<std::size_t>(found - boundaries.begin()), contact});
+    };
     for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
-      contact_side_.push_back(static_cast<std::size_t>(
-          std::find(boundaries.begin(), boundaries.end(), body.contact_boundary(k)) - boundaries.begin()));
+      add_loaded(body.contact_boundary(k), k);
+    for (const auto boundary : glued_boundaries(body.space()))
+      add_loaded(boundary, {});
     take_off_uniform_force();
   }
 
@@ -83,7 +103,7 @@ namespace abut
                                  Eigen::VectorXd &traction) const
   {
     const LagrangeBasis basis(static_cast<unsigned int>(moments.rows()) - 1);
-    const double unit = space_.elements()[element].length * space_.unit_length() * body_.material().mu();
+    const double unit = space_.elements()[element].length * space_.unit_length() * material_.mu();
     const Index n = space_.n_coefficients(), n_each = space_.density_degree() + 1;
     // P_k = sum_j P_k(eta_j) phi_j
     for (Index j = 0; j < moments.rows(); ++j)
@@ -136,21 +156,32 @@ namespace abut
   {
     BoundaryState state{prescribed_,
                         space_.trace_of(sides_.extended(solution.deformation)) - uniform_displacement_};
-    for (std::size_t k = 0; k < body_.contact_sides().size(); ++k)
-    {
-      const Trace &side = body_.contact_sides()[k];
-      const auto size = 2 * static_cast<Index>(side.n_nodes());
-      const auto forces = solution.contact_forces.segment(body_.trace_offset(k), size);
-      add_contact(k, applied_traction(side, forces), state.traction);
-    }
+    Eigen::VectorXd glue_forces;
+    if (!body_.space().glued_sides().empty())
+      glue_forces = body_.glue_forces(solution.deformation, solution.contact_forces);
+    for (const LoadedSide &side : loaded_)
+      add_load(side, applied_traction(side.trace, forces_on(side, solution, glue_forces)), state.traction);
     return state;
   }
 
-  void BoundaryData::add_contact(const std::size_t contact_side, const Eigen::VectorXd &traction,
-                                 Eigen::VectorXd &sum) const
+  Eigen::VectorXd BoundaryData::forces_on(const LoadedSide &side, const BodySolution &solution,
+                                          const Eigen::VectorXd &glue_forces) const
   {
-    const Trace &side = body_.contact_sides()[contact_side];
-    const std::size_t place = contact_side_[contact_side];
+    if (side.contact)
+      return body_.of_side(solution.contact_forces, *side.contact);
+    Eigen::VectorXd forces(2 * static_cast<Index>(side.trace.n_nodes()));
+    for (std::size_t node = 0; node < side.trace.n_nodes(); ++node)
+      for (std::size_t component = 0; component < 2; ++component)
+        forces[static_cast<Index>(2 * node + component)] =
+            glue_forces[side.trace.node_dofs()[node][component]];
+    return forces;
+  }
+
+  void BoundaryData::add_load(const LoadedSide &loaded, const Eigen::VectorXd &traction,
+                              Eigen::VectorXd &sum) const
+  {
+    const Trace &side = loaded.trace;
+    const std::size_t place = loaded.place;
     const Trace &graded = sides_.sides()[place];
     for (std::size_t i = 0; i < graded.segments().size(); ++i)
     {
@@ -200,8 +231,7 @@ namespace abut
     seen.setFromTriplets(parts.begin(), parts.end());
     const Eigen::SparseMatrix<double> densities = seen * space_.displacements().values * motions;
     const Eigen::SparseMatrix<double> matrix = densities.transpose() * mass.asDiagonal() * densities;
-    const Eigen::VectorXd forces =
-        motions.transpose() * space_.trace_of(support_forces) / body_.material().mu();
+    const Eigen::VectorXd forces = motions.transpose() * space_.trace_of(support_forces) / material_.mu();
     return densities * Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(forces) -
            uniform_support_;
   }

@@ -2,6 +2,7 @@
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/boundary_elements/boundary_model.h>
+#include <abut/bodies/finite_elements/cell_materials.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,19 @@ namespace abut
 
     /// Halvings of an edge towards a singular vertex.
     constexpr unsigned int n_splits = 8;
+
+    /// That of the marked cells; no mark: all.
+    Material material_of(const FiniteElementBody &body, const std::vector<bool> &cells)
+    {
+      if (cells.empty())
+        return body.material();
+      const CellMaterials materials(body.description());
+      for (const auto &cell : body.space().dof_handler().active_cell_iterators())
+        if (cells[cell->active_cell_index()])
+          return materials(cell);
+      Assert(false, dealii::ExcMessage("a piece has cells"));
+      return body.material();
+    }
 
     /// Both components of densities, a column of complex Legendre coefficients for every element.
     Eigen::MatrixXcd complex_columns(const Eigen::VectorXd &densities, const Index n_each)
@@ -57,21 +71,22 @@ namespace abut
     }
   } // namespace
 
-  BoundaryModel::BoundaryModel(const FiniteElementBody &body, const BoundarySolution kind)
-      : body_(body), kind_(kind)
+  BoundaryModel::BoundaryModel(const FiniteElementBody &body, const BoundarySolution kind,
+                               const std::vector<bool> &cells)
+      : body_(body), material_(material_of(body, cells)), kind_(kind)
   {
     const unsigned int p = body.space().degree();
     const unsigned int displacement_degree = kind == BoundarySolution::reference_quality ? p + 1 : p;
     const unsigned int traction_degree = kind == BoundarySolution::constant_traction ? p - 1 : p;
     const bool graded = kind == BoundarySolution::trace_space || kind == BoundarySolution::reference_quality;
-    sides_ = std::make_unique<GradedSides>(body, graded ? n_splits : 0u);
+    sides_ = std::make_unique<GradedSides>(body, graded ? n_splits : 0u, cells);
     space_ = std::make_unique<BoundarySpace>(sides_->sides(), displacement_degree, displacement_degree);
-    data_ = std::make_unique<BoundaryData>(body, *sides_, *space_, traction_degree);
+    data_ = std::make_unique<BoundaryData>(body, material_, *sides_, *space_, traction_degree);
     // From degree 3 on finite elements are soon better than the quick rule.
     const bool needs_precision = kind == BoundarySolution::reference_quality || p > 2;
     if (kind != BoundarySolution::finite_element_trace)
       problem_ = std::make_unique<BoundaryProblem>(
-          *space_, data_->supported(), traction_degree, body.material().poisson_ratio,
+          *space_, data_->supported(), traction_degree, material_.poisson_ratio,
           needs_precision ? GalerkinRule::precise() : GalerkinRule::estimating());
   }
 
@@ -137,9 +152,9 @@ namespace abut
     places.reserve(points.size());
     for (const Vector2 &point : points)
       places.push_back(space_->scaled(point));
-    const InteriorStress interior(space_->elements(), values(*state), 1., body_.material().poisson_ratio);
+    const InteriorStress interior(space_->elements(), values(*state), 1., material_.poisson_ratio);
     std::vector<Stress> stresses = interior.at(places);
-    const double mu = body_.material().mu();
+    const double mu = material_.mu();
     for (std::size_t i = 0; i < places.size(); ++i)
       stresses[i] = stresses[i] * mu + data_->uniform_force().stress(places[i]) * mu;
     return stresses;

@@ -44,6 +44,15 @@ namespace abut
       return before.size() == 1 && after.size() == 1 && std::abs(cross(before[0], after[0])) > sine;
     }
 
+    /// Whether a side is glued to another material, or to a side that goes on where it ends: a reentrant
+    /// corner of both together.
+    bool ends_at_glue(const Space &space, const dealii::types::boundary_id boundary)
+    {
+      return std::any_of(space.glued_sides().begin(), space.glued_sides().end(), [&](const GluedSides &pair) {
+        return !pair.is_seamless && (pair.slave == boundary || pair.master == boundary);
+      });
+    }
+
     /// Halvings of an edge that leave no piece shorter than `shortest`.
     unsigned int halvings(const Segment &segment, const double shortest, const unsigned int wanted)
     {
@@ -75,6 +84,7 @@ namespace abut
     const Segment *segment;
     dealii::types::boundary_id boundary;
     std::vector<Vector2> supported;
+    bool is_seam; ///< glued, with a singular stress where the glue ends
     bool starts_singular = false, ends_singular = false;
 
     unsigned int dof(const unsigned int node) const { return side->node_dofs()[node][0]; }
@@ -103,21 +113,31 @@ namespace abut
     }
   };
 
-  GradedSides::GradedSides(const FiniteElementBody &body, const unsigned int n_splits)
-      : boundaries_(body.space().mesh().triangulation.get_boundary_ids()),
-        n_dofs_(static_cast<unsigned int>(body.space().n_dofs()))
+  GradedSides::GradedSides(const FiniteElementBody &body, const unsigned int n_splits,
+                           const std::vector<bool> &cells)
+      : n_dofs_(static_cast<unsigned int>(body.space().n_dofs()))
   {
+    const auto is_own = [&](const Segment &segment) { return cells.empty() || cells[segment.cell]; };
     std::vector<Trace> sides;
-    for (const auto boundary : boundaries_)
-      sides.push_back(body.space().trace(boundary));
+    for (const auto boundary : body.space().mesh().triangulation.get_boundary_ids())
+    {
+      Trace side = body.space().trace(boundary);
+      if (std::none_of(side.segments().begin(), side.segments().end(), is_own))
+        continue;
+      boundaries_.push_back(boundary);
+      sides.push_back(std::move(side));
+    }
     const SideConditions conditions(body);
     std::vector<Edge> edges;
     Vector2 low = sides.front().node_points().front(), high = low;
     for (std::size_t i = 0; i < sides.size(); ++i)
       for (const Segment &segment : sides[i].segments())
       {
+        if (!is_own(segment))
+          continue;
         edges.push_back({&sides[i], &segment, boundaries_[i],
-                         conditions.supported(boundaries_[i], chord_normal(segment))});
+                         conditions.supported(boundaries_[i], chord_normal(segment)),
+                         ends_at_glue(body.space(), boundaries_[i])});
         low = low.cwiseMin(segment.points.front());
         high = high.cwiseMax(segment.points.front());
       }
@@ -128,8 +148,12 @@ namespace abut
     {
       Growing growing;
       pieces_.emplace_back();
-      for (std::size_t i = 0; i < side.segments().size(); ++i, ++edge)
-        add_edge(*edge, i, halvings(*edge->segment, shortest, n_splits), growing);
+      for (std::size_t i = 0; i < side.segments().size(); ++i)
+        if (is_own(side.segments()[i]))
+        {
+          add_edge(*edge, i, halvings(*edge->segment, shortest, n_splits), growing);
+          ++edge;
+        }
       const auto geometry_degree = static_cast<unsigned int>(side.segments().front().points.size()) - 1;
       sides_.emplace_back(side.basis().degree(), geometry_degree, growing.segments, growing.node_dofs);
     }
@@ -160,7 +184,7 @@ namespace abut
     const double angle = turn(*before.segment, *after.segment);
     if (!is_straight(*before.segment) || !is_straight(*after.segment))
       return false;
-    if (angle < -bend)
+    if (angle < -bend || before.is_seam != after.is_seam)
       return true;
     const std::size_t n_before = before.supported.size(), n_after = after.supported.size();
     if (angle > bend)

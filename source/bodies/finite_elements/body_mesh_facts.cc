@@ -26,6 +26,7 @@ namespace abut
   std::vector<CellInfo> FiniteElementBody::cells() const
   {
     std::vector<CellInfo> cells;
+    const CellMaterials materials(description());
     for (const auto &cell : space_->mesh().triangulation.active_cell_iterators())
     {
       CellInfo info;
@@ -35,6 +36,7 @@ namespace abut
       info.diameter = cell->diameter();
       info.level = static_cast<unsigned int>(cell->level());
       info.at_boundary = cell->at_boundary();
+      info.material = materials(cell);
       cells.push_back(std::move(info));
     }
     return cells;
@@ -57,6 +59,9 @@ namespace abut
              " is left out of the theory";
     if (description().allow_locking && description().largest_poisson_ratio() > largest_locking_ratio)
       return "body " + name() + " is allowed to lock";
+    if (!space_->glued_sides().empty())
+      return "the sides of body " + name() +
+             " that are glued are equal in the mean only, which is not part of it";
     if (space_->mesh().curved)
       return "the error of the straight edges that stand for the curved sides of body " + name() +
              " is not part of it";
@@ -107,6 +112,8 @@ namespace abut
         << (space_->mesh().cell_type == CellType::triangles ? "triangles" : "quadrilaterals") << " of degree "
         << space_->degree() << ", " << space_->n_dofs() << " unknowns, E = " << description().young_modulus
         << ", nu = " << description().poisson_ratio << '\n';
+    for (const GluedSides &pair : space_->glued_sides())
+      out << "  glued: " << pair.slave_name << " follows " << pair.master_name << '\n';
     for (const RegionMaterial &region : description().regions)
       out << "  region " << region.region << ": E = " << region.material.young_modulus
           << ", nu = " << region.material.poisson_ratio << '\n';

@@ -32,7 +32,7 @@ namespace abut
   } // namespace
 
   BoundaryTraction::BoundaryTraction(const FiniteElementBody &body, const Eigen::VectorXd &contact_forces)
-      : conditions_(body)
+      : conditions_(body), glue_(body.space())
   {
     for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
     {
@@ -55,6 +55,8 @@ namespace abut
     const auto outward = values.normal_vector(point);
     const Vector2 x(place[0], place[1]), normal(outward[0], outward[1]);
     KnownTraction traction;
+    if (glue_.is_glued(boundary) && glue_.opposite(boundary, x))
+      return traction;
     traction.value = conditions_.traction(boundary, x, normal);
     if (const auto found = pressures_.find(boundary); found != pressures_.end())
       for (unsigned int i = 0; i < dofs.size(); ++i)

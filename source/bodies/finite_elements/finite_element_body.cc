@@ -283,10 +283,23 @@ namespace abut
   Eigen::VectorXd FiniteElementBody::support_forces(const Eigen::VectorXd &deformation,
                                                     const Eigen::VectorXd &contact_forces) const
   {
-    const Eigen::VectorXd forces = stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
+    const Eigen::VectorXd forces = missing_forces(deformation, contact_forces);
     if (!space_->has_constraints())
       return forces;
     return space_->expansion().transpose() * forces;
+  }
+
+  Eigen::VectorXd FiniteElementBody::missing_forces(const Eigen::VectorXd &deformation,
+                                                    const Eigen::VectorXd &contact_forces) const
+  {
+    return stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
+  }
+
+  Eigen::VectorXd FiniteElementBody::glue_forces(const Eigen::VectorXd &deformation,
+                                                 const Eigen::VectorXd &contact_forces) const
+  {
+    // Slaves have no supports: all that is missing comes from the glue, which takes it from the others.
+    return space_->glue_rows().transpose() * missing_forces(deformation, contact_forces);
   }
 
   double FiniteElementBody::rigid_side_force(const Eigen::VectorXd &deformation,

@@ -38,9 +38,9 @@ namespace abut
       BoundaryId id;
       std::string name;
       Trace trace;
-      std::size_t vertex;  ///< one of its mesh
-      double softest = 0.; ///< Young modulus behind it
-      double reach = 0.;   ///< how far from it another side still lies on it
+      std::size_t vertex;                 ///< one of its mesh
+      double softest = 0., stiffest = 0.; ///< Young moduli behind it
+      double reach = 0.;                  ///< how far from it another side still lies on it
 
       bool is_covered_by(const GlueSide &other) const
       {
@@ -91,7 +91,7 @@ namespace abut
           if (std::string &known = names[id]; known.empty() || known == std::to_string(id))
             known = name;
         const CellMaterials materials(body_);
-        std::map<BoundaryId, double> softest;
+        std::map<BoundaryId, double> softest, stiffest;
         std::map<BoundaryId, std::size_t> vertex;
         for (const auto &cell : mesh.triangulation.active_cell_iterators())
           for (const unsigned int f : cell->face_indices())
@@ -102,13 +102,15 @@ namespace abut
               const auto [found, is_new] = softest.emplace(id, modulus);
               if (!is_new)
                 found->second = std::min(found->second, modulus);
+              stiffest[id] = std::max(stiffest[id], modulus);
               vertex[id] = cell->face(f)->vertex_index(0);
             }
         for (const auto &[id, name] : names)
         {
           Trace trace = space_.trace(id);
           const double reach = near * mean_length(trace);
-          sides_.push_back({id, name, std::move(trace), vertex.at(id), softest.at(id), reach});
+          sides_.push_back(
+              {id, name, std::move(trace), vertex.at(id), softest.at(id), stiffest.at(id), reach});
         }
       }
 
@@ -181,7 +183,10 @@ namespace abut
         for (const GluedSides &other : glued_)
           if (other.slave == slave.id)
             throw UserError(where() + "the side " + slave.name + " follows two others, one is allowed");
-        glued_.push_back({slave.id, master.id, slave.name, master.name, slave.reach});
+        const bool of_one_material = slave.softest == master.softest && slave.stiffest == master.stiffest &&
+                                     slave.softest == slave.stiffest;
+        glued_.push_back({slave.id, master.id, slave.name, master.name, slave.reach,
+                          of_one_material && master.is_covered_by(slave)});
         joined_.join(slave.vertex, master.vertex);
       }
 

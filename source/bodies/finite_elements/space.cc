@@ -57,19 +57,23 @@ namespace abut
 
   namespace
   {
-    /// The nodes inside the slave follow the others.
+    /// The nodes inside the slave follow the others. Adds what is zero then to `rows`.
     void add_mortar(const Trace &slave, const Trace &master, const Mortar &mortar,
-                    dealii::AffineConstraints<double> &constraints)
+                    dealii::AffineConstraints<double> &constraints, std::vector<Eigen::Triplet<double>> &rows)
     {
       for (std::size_t i = 0; i < mortar.slaves.size(); ++i)
         for (const std::size_t component : {0, 1})
         {
           const unsigned int dof = slave.node_dofs()[mortar.slaves[i]][component];
           constraints.add_line(dof);
+          rows.emplace_back(static_cast<int>(dof), static_cast<int>(dof), 1.);
           const auto add = [&](const Mortar::Matrix &matrix, const Trace &side) {
             for (Mortar::Matrix::InnerIterator entry(matrix, static_cast<Eigen::Index>(i)); entry; ++entry)
-              constraints.add_entry(dof, side.node_dofs()[static_cast<std::size_t>(entry.col())][component],
-                                    entry.value());
+            {
+              const unsigned int other = side.node_dofs()[static_cast<std::size_t>(entry.col())][component];
+              constraints.add_entry(dof, other, entry.value());
+              rows.emplace_back(static_cast<int>(dof), static_cast<int>(other), -entry.value());
+            }
           };
           add(mortar.of_slave_side, slave);
           add(mortar.of_master_side, master);
@@ -110,11 +114,17 @@ namespace abut
     dealii::AffineConstraints<double> constraints(hanging);
     hanging.close();
     has_hanging_nodes_ = hanging.n_constraints() > 0;
+    std::vector<Eigen::Triplet<double>> rows;
     for (const GluedSides &pair : glued_)
     {
       const Trace slave = trace(pair.slave), master = trace(pair.master);
-      add_mortar(slave, master, make_mortar(overlap_of(slave, master, pair.reach), multipliers_),
-                 constraints);
+      add_mortar(slave, master, make_mortar(overlap_of(slave, master, pair.reach), multipliers_), constraints,
+                 rows);
+    }
+    if (!glued_.empty())
+    {
+      glue_rows_.resize(n_dofs(), n_dofs());
+      glue_rows_.setFromTriplets(rows.begin(), rows.end());
     }
     constraints.close();
     has_constraints_ = constraints.n_constraints() > 0;

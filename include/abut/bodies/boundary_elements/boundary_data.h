@@ -36,9 +36,10 @@ namespace abut
   class BoundaryData
   {
   public:
-    /// `load_degree`: of the known tractions. Body, sides and space must outlive the object.
-    BoundaryData(const FiniteElementBody &body, const GradedSides &sides, const BoundarySpace &space,
-                 unsigned int load_degree);
+    /// `load_degree`: of the known tractions. Body, sides (all, or those of a piece of one material) and
+    /// space must outlive the object.
+    BoundaryData(const FiniteElementBody &body, const Material &material, const GradedSides &sides,
+                 const BoundarySpace &space, unsigned int load_degree);
 
     /// Unit directions, none, one or two, for every element.
     const std::vector<std::vector<Vector2>> &supported() const { return supported_; }
@@ -51,7 +52,18 @@ namespace abut
     const UniformForce &uniform_force() const { return uniform_; }
 
   private:
-    void add_contact(std::size_t contact_side, const Eigen::VectorXd &traction, Eigen::VectorXd &sum) const;
+    /// A side that is pressed by another body or pulled by the glue.
+    struct LoadedSide
+    {
+      Trace trace;
+      std::size_t place;                       ///< among all sides
+      std::optional<std::size_t> contact = {}; ///< among the body's contact sides; none: glued
+    };
+
+    /// The nodal forces on a side.
+    Eigen::VectorXd forces_on(const LoadedSide &side, const BodySolution &solution,
+                              const Eigen::VectorXd &glue_forces) const;
+    void add_load(const LoadedSide &side, const Eigen::VectorXd &traction, Eigen::VectorXd &sum) const;
     void add_prescribed(const SideConditions &conditions, const Trace &side,
                         dealii::types::boundary_id boundary, std::size_t first_element);
     /// Adds to the Legendre coefficients of one element what the supports leave of a traction's moments.
@@ -59,11 +71,12 @@ namespace abut
     void take_off_uniform_force();
 
     const FiniteElementBody &body_;
+    Material material_;
     const GradedSides &sides_;
     const BoundarySpace &space_;
     unsigned int load_degree_;
     std::vector<std::vector<Vector2>> supported_;
-    std::vector<std::size_t> contact_side_;  ///< the place of every contact side among all sides
+    std::vector<LoadedSide> loaded_;
     std::vector<std::size_t> first_element_; ///< of every side
     Eigen::VectorXd prescribed_;             ///< tractions that do not depend on the contact
     UniformForce uniform_;

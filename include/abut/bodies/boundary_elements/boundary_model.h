@@ -18,11 +18,12 @@ namespace abut
   class BoundaryModel
   {
   public:
-    /// The body must outlive the model, which is that of its present mesh. Throws ComputationError.
-    BoundaryModel(const FiniteElementBody &body, BoundarySolution kind);
+    /// Of the whole body, or of the piece of marked cells (by active index). The body must outlive the model,
+    /// which is that of its present mesh. Throws ComputationError.
+    BoundaryModel(const FiniteElementBody &body, BoundarySolution kind, const std::vector<bool> &cells = {});
 
-    /// sigma_B at points inside the body (world frame), which answers the contact traction of `solution`.
-    /// Adds to the cost. Throws ComputationError.
+    /// sigma_B at points inside the body or piece (world frame), which answers the contact traction of
+    /// `solution`. Adds to the cost. Throws ComputationError.
     std::vector<Stress> stress(const BodySolution &solution, const std::vector<Vector2> &points,
                                BoundaryCost &cost) const;
 
@@ -42,6 +43,7 @@ namespace abut
     BoundaryState finite_element_state(const BodySolution &solution) const;
 
     const FiniteElementBody &body_;
+    Material material_;
     BoundarySolution kind_;
     std::unique_ptr<GradedSides> sides_;
     std::unique_ptr<BoundarySpace> space_;

@@ -24,8 +24,8 @@ namespace abut
       double from, to;
     };
 
-    /// All sides of the body; with `n_splits` = 0 nothing is split.
-    GradedSides(const FiniteElementBody &body, unsigned int n_splits);
+    /// All sides of the body, or of those cells that are marked; with `n_splits` = 0 nothing is split.
+    GradedSides(const FiniteElementBody &body, unsigned int n_splits, const std::vector<bool> &cells = {});
 
     /// New nodes have unknowns beyond those of the body: a field has to be `extended`.
     const std::vector<Trace> &sides() const { return sides_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/finite_elements/glue_partners.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -18,7 +19,7 @@ namespace abut
 
   /**
    * The traction on a body's boundary as far as it is known without its solution: prescribed tractions, the
-   * contact pressure, zero on free sides and along rollers.
+   * contact pressure, zero on free sides and along rollers. Nothing is known of it where sides are glued.
    *
    * The contact pressure is read off the consistent nodal forces on a contact side: at node j it is -f_j .
    * n_j / int phi_j, and between nodes what the shape functions make of these values.
@@ -36,6 +37,7 @@ namespace abut
 
   private:
     SideConditions conditions_;
+    GluePartners glue_;
     /// Nodal pressures of the contact sides, in the first component of fields that vanish elsewhere.
     std::map<dealii::types::boundary_id, Eigen::VectorXd> pressures_;
   };

@@ -90,7 +90,15 @@ namespace abut
     Eigen::VectorXd support_forces(const Eigen::VectorXd &deformation,
                                    const Eigen::VectorXd &contact_forces) const;
 
+    /// What the glue adds to loads, contact forces and supports at the nodes of glued sides, at every
+    /// unknown.
+    Eigen::VectorXd glue_forces(const Eigen::VectorXd &deformation,
+                                const Eigen::VectorXd &contact_forces) const;
+
   private:
+    /// K u - f, what is missing to balance at every unknown.
+    Eigen::VectorXd missing_forces(const Eigen::VectorXd &deformation,
+                                   const Eigen::VectorXd &contact_forces) const;
     /// Everything that depends on the mesh but the stiffness.
     void set_up();
     void collect_sides();

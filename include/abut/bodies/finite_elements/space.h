@@ -27,7 +27,8 @@ namespace abut
   {
     dealii::types::boundary_id slave, master;
     std::string slave_name, master_name;
-    double reach; ///< how far one lies from the other at most
+    double reach;     ///< how far one lies from the other at most
+    bool is_seamless; ///< both end where the other does, and are of one material
   };
 
   /**
@@ -50,6 +51,8 @@ namespace abut
     /// Glues sides, on this mesh and those to come. Numbers of unknowns stay.
     void glue(std::vector<GluedSides> sides, MortarMultipliers multipliers);
     const std::vector<GluedSides> &glued_sides() const { return glued_; }
+    /// u_s - D^-1 (M u_m - E u_e) of every slave unknown, in its own row; the other rows are empty.
+    const Eigen::SparseMatrix<double> &glue_rows() const { return glue_rows_; }
 
     bool has_hanging_nodes() const { return has_hanging_nodes_; }
     /// Whether some unknowns are determined by others.
@@ -100,7 +103,8 @@ namespace abut
     std::vector<bool> constrained_;
     bool has_hanging_nodes_ = false, has_constraints_ = false;
     unsigned int n_meshes_ = 0;
-    Eigen::SparseMatrix<double> expansion_, hanging_expansion_; // the second one only of glued bodies
+    Eigen::SparseMatrix<double> expansion_;
+    Eigen::SparseMatrix<double> hanging_expansion_, glue_rows_; // of glued bodies
   };
 
   /// Gauss rule with n points in each direction of a quadrilateral; for triangles the one of like accuracy.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bodies/boundary_elements/boundary_models.h>
+#include <abut/bodies/finite_elements/mesh_pieces.h>
+
+namespace abut
+{
+  BoundaryModels::BoundaryModels(const FiniteElementBody &body, const BoundarySolution kind)
+      : piece_of_(body.space().mesh().triangulation.n_active_cells())
+  {
+    const auto pieces = mesh_pieces(body.space());
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    {
+      std::vector<bool> own(pieces.size() == 1 ? 0 : piece_of_.size(), false);
+      for (const unsigned int cell : pieces[piece])
+      {
+        piece_of_[cell] = piece;
+        if (!own.empty())
+          own[cell] = true;
+      }
+      models_.push_back(std::make_unique<BoundaryModel>(body, kind, own));
+    }
+  }
+
+  std::vector<Stress> BoundaryModels::stress(const BodySolution &solution, BoundaryCost &cost) const
+  {
+    std::vector<std::vector<Vector2>> places(models_.size());
+    std::vector<std::size_t> order; // the piece of every point
+    solution.body.visit_displacement(solution.deformation, SamplePoints::comparison,
+                                     [&](const SamplePoint &point, const Vector2 &, const Eigen::Matrix2d &) {
+                                       order.push_back(piece_of_[point.cell]);
+                                       places[order.back()].push_back(point.place);
+                                     });
+    std::vector<std::vector<Stress>> found;
+    for (std::size_t piece = 0; piece < models_.size(); ++piece)
+      found.push_back(models_[piece]->stress(solution, places[piece], cost));
+    std::vector<std::size_t> next(models_.size(), 0);
+    std::vector<Stress> stresses;
+    for (const std::size_t piece : order)
+      stresses.push_back(found[piece][next[piece]++]);
+    return stresses;
+  }
+
+  Eigen::Index BoundaryModels::n_elements() const
+  {
+    Eigen::Index sum = 0;
+    for (const auto &model : models_)
+      sum += model->space().n_elements();
+    return sum;
+  }
+
+  Eigen::Index BoundaryModels::n_unknowns() const
+  {
+    Eigen::Index sum = 0;
+    for (const auto &model : models_)
+      sum += model->n_unknowns();
+    return sum;
+  }
+} // namespace abut
