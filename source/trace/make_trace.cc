@@ -38,17 +38,6 @@ namespace abut
       return edge;
     }
 
-    std::vector<Edge> collect_edges(const dealii::DoFHandler<2> &dof_handler,
-                                    const dealii::types::boundary_id boundary)
-    {
-      std::vector<Edge> edges;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        for (const unsigned int face : cell->face_indices())
-          if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary)
-            edges.push_back(make_edge(cell, face));
-      return edges;
-    }
-
     /// Orders the edges head to tail; open curves begin at the vertex where no edge ends.
     std::vector<Edge> chain(const std::vector<Edge> &edges)
     {
@@ -113,12 +102,27 @@ namespace abut
   Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const CellGeometry &geometry,
                    const unsigned int geometry_degree, const dealii::types::boundary_id boundary)
   {
-    const unsigned int degree = dof_handler.get_fe().degree;
+    std::vector<MeshEdge> edges;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary)
+          edges.push_back({cell, face});
+    return make_trace(edges, geometry, geometry_degree);
+  }
+
+  Trace make_trace(const std::vector<MeshEdge> &mesh_edges, const CellGeometry &geometry,
+                   const unsigned int geometry_degree)
+  {
+    Assert(!mesh_edges.empty(), dealii::ExcMessage("a curve has edges"));
+    const unsigned int degree = mesh_edges.front().cell->get_fe().degree;
+    std::vector<Edge> edges;
+    for (const MeshEdge &edge : mesh_edges)
+      edges.push_back(make_edge(edge.cell, edge.face));
     const LagrangeBasis geometry_basis(geometry_degree);
     std::vector<Segment> segments;
     std::vector<std::array<unsigned int, 2>> node_dofs;
     std::map<unsigned int, unsigned int> node_of_dof;
-    for (const Edge &edge : chain(collect_edges(dof_handler, boundary)))
+    for (const Edge &edge : chain(edges))
     {
       Segment segment;
       segment.cell = edge.cell->active_cell_index();

@@ -8,11 +8,19 @@
 #include <deal.II/grid/tria.h>
 
 #include <functional>
+#include <vector>
 
 namespace abut
 {
   using CellGeometry = std::function<Vector2(const dealii::Triangulation<2, 2>::cell_iterator &cell,
                                              const dealii::Point<2> &unit_point)>;
+
+  /// A face of a cell.
+  struct MeshEdge
+  {
+    dealii::DoFHandler<2>::active_cell_iterator cell;
+    unsigned int face;
+  };
 
   /**
    * The side `boundary` of a mesh as a curve, with the trace of the vector-valued space of `dof_handler` (two
@@ -22,4 +30,8 @@ namespace abut
    */
   Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const CellGeometry &geometry,
                    unsigned int geometry_degree, dealii::types::boundary_id boundary);
+
+  /// The same for edges anywhere in the mesh, with the cells named on the left.
+  Trace make_trace(const std::vector<MeshEdge> &edges, const CellGeometry &geometry,
+                   unsigned int geometry_degree);
 } // namespace abut

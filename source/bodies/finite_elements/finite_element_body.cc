@@ -77,12 +77,12 @@ namespace abut
 
   FiniteElementBody::FiniteElementBody(const BodyDescription &description,
                                        const std::vector<std::string> &contact_sides)
-      : Body(description),
-        space_(std::make_unique<Space>(mesh_of(description, contact_sides), description.degree)),
+      : Body(description), space_(std::make_unique<Space>(mesh_of(description, contact_sides),
+                                                          description.degree, description.joints)),
         contact_side_names_(contact_sides)
   {
     if (auto glued = find_glue(*space_, description, contact_sides); !glued.empty())
-      space_->glue(std::move(glued), description.joints.mortar.multipliers);
+      space_->glue(std::move(glued));
     set_up();
     refuse_locking(description, *space_, supports_);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
+#include <abut/bodies/finite_elements/seams.h>
 #include <abut/bodies/finite_elements/space.h>
 #include <abut/mesh/jacobians.h>
 #include <abut/trace/make_trace.h>
@@ -13,6 +14,8 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/solution_transfer.h>
+
+#include <map>
 
 namespace abut
 {
@@ -65,24 +68,27 @@ namespace abut
         for (const std::size_t component : {0, 1})
         {
           const unsigned int dof = slave.node_dofs()[mortar.slaves[i]][component];
-          constraints.add_line(dof);
-          rows.emplace_back(static_cast<int>(dof), static_cast<int>(dof), 1.);
+          std::map<unsigned int, double> others; // both sides may share nodes
           const auto add = [&](const Mortar::Matrix &matrix, const Trace &side) {
             for (Mortar::Matrix::InnerIterator entry(matrix, static_cast<Eigen::Index>(i)); entry; ++entry)
-            {
-              const unsigned int other = side.node_dofs()[static_cast<std::size_t>(entry.col())][component];
-              constraints.add_entry(dof, other, entry.value());
-              rows.emplace_back(static_cast<int>(dof), static_cast<int>(other), -entry.value());
-            }
+              others[side.node_dofs()[static_cast<std::size_t>(entry.col())][component]] += entry.value();
           };
           add(mortar.of_slave_side, slave);
           add(mortar.of_master_side, master);
+          constraints.add_line(dof);
+          rows.emplace_back(static_cast<int>(dof), static_cast<int>(dof), 1.);
+          for (const auto &[other, factor] : others)
+          {
+            constraints.add_entry(dof, other, factor);
+            rows.emplace_back(static_cast<int>(dof), static_cast<int>(other), -factor);
+          }
         }
     }
   } // namespace
 
-  Space::Space(std::unique_ptr<BodyMesh> mesh, const unsigned int degree)
-      : mesh_(std::move(mesh)), mapping_(mesh_->mapping(degree)), dof_handler_(mesh_->triangulation)
+  Space::Space(std::unique_ptr<BodyMesh> mesh, const unsigned int degree, const JointDescription &joints)
+      : mesh_(std::move(mesh)), mapping_(mesh_->mapping(degree)), dof_handler_(mesh_->triangulation),
+        joints_(joints)
   {
     Assert(mesh_->cell_type == CellType::quadrilaterals || degree <= 2,
            dealii::ExcMessage("make_mesh refuses triangles of higher degree"));
@@ -100,17 +106,39 @@ namespace abut
     constrain();
   }
 
-  void Space::glue(std::vector<GluedSides> sides, const MortarMultipliers multipliers)
+  void Space::glue(std::vector<GluedSides> sides)
   {
     glued_ = std::move(sides);
-    multipliers_ = multipliers;
     constrain();
+  }
+
+  void Space::join_seams(dealii::AffineConstraints<double> &constraints) const
+  {
+    constexpr double reach = .1; // of an edge: what both sides make of a curve
+    const unsigned int geometry_degree = mesh_->curved ? curve_degree : 1;
+    std::vector<Eigen::Triplet<double>> rows;
+    for (const Seam &seam :
+         find_seams(dof_handler_, mesh_->geometry(geometry_degree), geometry_degree, joints_.mortar.vertices))
+    {
+      // An edge without inner nodes cannot follow.
+      const bool coarser_follows =
+          joints_.mortar.slave == MortarSlave::coarser && fewest_inner_nodes(seam.coarser) > 0;
+      const Trace &slave = coarser_follows ? seam.coarser : seam.finer,
+                  &master = coarser_follows ? seam.finer : seam.coarser;
+      const double length = slave.length() / static_cast<double>(slave.segments().size());
+      add_mortar(slave, master,
+                 make_mortar(overlap_of(slave, master, reach * length), joints_.mortar.multipliers),
+                 constraints, rows);
+    }
   }
 
   void Space::constrain()
   {
     dealii::AffineConstraints<double> hanging;
-    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, hanging);
+    if (joints_.mortar_edges)
+      join_seams(hanging);
+    else
+      dealii::DoFTools::make_hanging_node_constraints(dof_handler_, hanging);
     dealii::AffineConstraints<double> constraints(hanging);
     hanging.close();
     has_hanging_nodes_ = hanging.n_constraints() > 0;
@@ -118,7 +146,8 @@ namespace abut
     for (const GluedSides &pair : glued_)
     {
       const Trace slave = trace(pair.slave), master = trace(pair.master);
-      add_mortar(slave, master, make_mortar(overlap_of(slave, master, pair.reach), multipliers_), constraints,
+      add_mortar(slave, master,
+                 make_mortar(overlap_of(slave, master, pair.reach), joints_.mortar.multipliers), constraints,
                  rows);
     }
     if (!glued_.empty())

@@ -12,6 +12,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <Eigen/SparseCore>
 
@@ -39,7 +40,8 @@ namespace abut
   class Space
   {
   public:
-    Space(std::unique_ptr<BodyMesh> mesh, unsigned int degree);
+    /// `joints` say how cells and finer ones are joined; glued sides come with `glue`.
+    Space(std::unique_ptr<BodyMesh> mesh, unsigned int degree, const JointDescription &joints = {});
     ~Space();
 
     const BodyMesh &mesh() const { return *mesh_; }
@@ -49,7 +51,7 @@ namespace abut
     unsigned int degree() const { return dof_handler_.get_fe().degree; }
 
     /// Glues sides, on this mesh and those to come. Numbers of unknowns stay.
-    void glue(std::vector<GluedSides> sides, MortarMultipliers multipliers);
+    void glue(std::vector<GluedSides> sides);
     const std::vector<GluedSides> &glued_sides() const { return glued_; }
     /// u_s - D^-1 (M u_m - E u_e) of every slave unknown, in its own row; the other rows are empty.
     const Eigen::SparseMatrix<double> &glue_rows() const { return glue_rows_; }
@@ -92,6 +94,8 @@ namespace abut
     void distribute();
     /// Finds those that others determine.
     void constrain();
+    /// By mortar, in place of hanging nodes.
+    void join_seams(dealii::AffineConstraints<double> &constraints) const;
 
     std::unique_ptr<BodyMesh> mesh_;
     std::unique_ptr<dealii::Mapping<2>> mapping_;
@@ -99,7 +103,7 @@ namespace abut
     dealii::DoFHandler<2> dof_handler_;
     dealii::Quadrature<2> quadrature_;
     std::vector<GluedSides> glued_;
-    MortarMultipliers multipliers_ = MortarMultipliers::dual;
+    JointDescription joints_;
     std::vector<bool> constrained_;
     bool has_hanging_nodes_ = false, has_constraints_ = false;
     unsigned int n_meshes_ = 0;
