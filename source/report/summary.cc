@@ -152,7 +152,8 @@ namespace abut
         bodies[result.body->name()] = {{"meshes", counters.meshes},
                                        {"assemblies", counters.assemblies},
                                        {"factorisations", counters.factorisations},
-                                       {"solves", counters.solves}};
+                                       {"solves", counters.solves},
+                                       {"mortars", counters.mortars}};
       }
       return {{"bodies", bodies},
               {"mpi_initialised", mpi_is_initialised()},

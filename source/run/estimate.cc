@@ -127,6 +127,13 @@ namespace abut
                                             : no_marks(bodies[a].body->counts().cells));
     for (const PairResult &pair : pairs)
       mark_missed(scene, pair, bodies, marks);
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+      if (scene.bodies[a].adapt && scene.bodies[a].joints.mortar.neighbour_rule)
+        for (const unsigned int cell : bodies[a].body->crowded_cells())
+        {
+          marks[a].refine[cell] = true;
+          marks[a].coarsen[cell] = false;
+        }
     return marks;
   }
 } // namespace abut

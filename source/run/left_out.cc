@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/run/left_out.h>
 
+#include <algorithm>
+
 namespace abut
 {
   std::vector<std::string> left_out(const Setup &setup, const Solution &solution)
@@ -13,7 +15,9 @@ namespace abut
     if (!Registry<EstimatorEntry>::get().find(setup.scene.adaptation.estimator).has_boundary_elements)
       items.emplace_back("boundary elements (Adaptation/Estimator is not " +
                          estimators_with_boundary_elements() + ")");
-    items.emplace_back("mortar coupling inside bodies (hanging nodes)");
+    if (std::all_of(solution.bodies.begin(), solution.bodies.end(),
+                    [](const BodyResult &result) { return result.body->counters().mortars == 0; }))
+      items.emplace_back("mortar coupling inside bodies (hanging nodes)");
     if (setup.scene.contacts.empty())
       items.emplace_back("contact (a scene without pairs)");
     if (solution.iteration.motions.size() == 0)

@@ -26,7 +26,8 @@ namespace abut
     unsigned int meshes = 0;
     unsigned int assemblies = 0;
     unsigned int factorisations = 0;
-    unsigned int solves = 0; ///< right sides
+    unsigned int solves = 0;  ///< right sides
+    unsigned int mortars = 0; ///< couplings of two sides inside the body
   };
 
   /// Seconds of `Body::prepare`.
@@ -76,6 +77,8 @@ namespace abut
     virtual unsigned int mesh_version() const = 0;
     virtual std::vector<CellInfo> cells() const = 0;
     virtual MeshQuality mesh_quality() const = 0;
+    /// Cells with a glued edge that more than two others lie opposite.
+    virtual std::vector<unsigned int> crowded_cells() const = 0;
     /// Where the exact stress may be infinite.
     virtual std::vector<Vector2> singular_vertices() const = 0;
     /// Why the bound of the estimated error does not hold for this body; empty where it does.

@@ -5,6 +5,7 @@
 #include <abut/base/user_error.h>
 #include <abut/bodies/boundary_elements/graded_sides.h>
 #include <abut/bodies/finite_elements/cell_materials.h>
+#include <abut/bodies/finite_elements/glue_partners.h>
 #include <abut/bodies/finite_elements/locking.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
@@ -45,6 +46,23 @@ namespace abut
   MeshQuality FiniteElementBody::mesh_quality() const
   {
     return abut::mesh_quality(space_->mesh().triangulation);
+  }
+
+  std::vector<unsigned int> FiniteElementBody::crowded_cells() const
+  {
+    constexpr unsigned int most = 2; // the paper's
+    std::vector<unsigned int> crowded;
+    if (space_->glued_sides().empty())
+      return crowded;
+    const GluePartners partners(*space_);
+    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (partners.n_opposite(cell, f) > most)
+        {
+          crowded.push_back(cell->active_cell_index());
+          break;
+        }
+    return crowded;
   }
 
   std::vector<Vector2> FiniteElementBody::singular_vertices() const

@@ -97,6 +97,7 @@ namespace abut
   void FiniteElementBody::set_up()
   {
     counters_.meshes = space_->n_meshes();
+    counters_.mortars = space_->n_mortars();
     collect_sides();
     resultant_ = find_resultant(description(), sides_);
     set_up_supports();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
+#include <abut/bodies/finite_elements/level_element.h>
 #include <abut/bodies/finite_elements/seams.h>
 #include <abut/bodies/finite_elements/space.h>
 #include <abut/mesh/jacobians.h>
@@ -22,6 +23,7 @@ namespace abut
   namespace
   {
     constexpr unsigned int curve_degree = 4;
+    constexpr unsigned int most_levels = 24; // of a mesh with free vertices
 
     std::unique_ptr<dealii::FiniteElement<2>> scalar_element(const CellType type, const unsigned int degree)
     {
@@ -102,8 +104,20 @@ namespace abut
   void Space::distribute()
   {
     ++n_meshes_;
-    dof_handler_.distribute_dofs(*element_);
+    if (has_free_vertices())
+    {
+      for (const auto &cell : dof_handler_.active_cell_iterators())
+        cell->set_active_fe_index(static_cast<unsigned int>(cell->level()));
+      dof_handler_.distribute_dofs(elements_of_levels(element_->degree, most_levels));
+    }
+    else
+      dof_handler_.distribute_dofs(*element_);
     constrain();
+  }
+
+  bool Space::has_free_vertices() const
+  {
+    return joints_.mortar_edges && joints_.mortar.vertices == MortarVertices::free;
   }
 
   void Space::glue(std::vector<GluedSides> sides)
@@ -112,7 +126,7 @@ namespace abut
     constrain();
   }
 
-  void Space::join_seams(dealii::AffineConstraints<double> &constraints) const
+  void Space::join_seams(dealii::AffineConstraints<double> &constraints)
   {
     constexpr double reach = .1; // of an edge: what both sides make of a curve
     const unsigned int geometry_degree = mesh_->curved ? curve_degree : 1;
@@ -120,6 +134,7 @@ namespace abut
     for (const Seam &seam :
          find_seams(dof_handler_, mesh_->geometry(geometry_degree), geometry_degree, joints_.mortar.vertices))
     {
+      ++n_mortars_;
       // An edge without inner nodes cannot follow.
       const bool coarser_follows =
           joints_.mortar.slave == MortarSlave::coarser && fewest_inner_nodes(seam.coarser) > 0;
@@ -145,6 +160,7 @@ namespace abut
     std::vector<Eigen::Triplet<double>> rows;
     for (const GluedSides &pair : glued_)
     {
+      ++n_mortars_;
       const Trace slave = trace(pair.slave), master = trace(pair.master);
       add_mortar(slave, master,
                  make_mortar(overlap_of(slave, master, pair.reach), joints_.mortar.multipliers), constraints,

@@ -46,6 +46,27 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    /// That only boundary elements see what a body's displacement jumps by where it is equal in the mean.
+    std::string estimator_blind_to_jumps(const EstimatorEntry &estimator, const Bodies &bodies)
+    {
+      if (estimator.has_boundary_elements || !estimator.estimates())
+        return "";
+      for (const auto &body : bodies)
+      {
+        const JointDescription &joints = body->description().joints;
+        if (joints.mortar_edges && body->counters().mortars > 0 &&
+            (joints.mortar.slave == MortarSlave::coarser || joints.mortar.vertices == MortarVertices::free))
+          return "Adaptation/Estimator = " + estimator.name + " does not see that the displacement of body " +
+                 body->name() +
+                 " jumps at edges between cells and finer ones, where the coarser ones follow or the vertices "
+                 "are free (Mortar): the error may be several times what it says; fe-be sees it";
+      }
+      return "";
+    }
+  } // namespace
+
   Warnings scheme_warnings(const Scene &scene)
   {
     const DecompositionParameters &decomposition = scene.decomposition;
@@ -62,6 +83,10 @@ namespace abut
     Warnings warnings;
     if (const std::string sentence =
             rough_estimator(Registry<EstimatorEntry>::get().find(scene.adaptation.estimator), model.bodies());
+        !sentence.empty())
+      warnings.push_back({WarningCode::rough_estimator, sentence});
+    if (const std::string sentence = estimator_blind_to_jumps(
+            Registry<EstimatorEntry>::get().find(scene.adaptation.estimator), model.bodies());
         !sentence.empty())
       warnings.push_back({WarningCode::rough_estimator, sentence});
     const std::string body = underestimated_body(scene.adaptation, model.bodies());

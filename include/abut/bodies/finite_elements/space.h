@@ -77,6 +77,9 @@ namespace abut
      */
     std::vector<Eigen::VectorXd> adapt(const CellMarks &marks, const std::vector<Eigen::VectorXd> &fields);
 
+    /// How many couplings of two sides it has made, on all meshes.
+    unsigned int n_mortars() const { return n_mortars_; }
+
     /// How many meshes the space has been on.
     unsigned int n_meshes() const { return n_meshes_; }
 
@@ -92,10 +95,12 @@ namespace abut
   private:
     /// Numbers the unknowns of the present mesh.
     void distribute();
+    /// Whether cells and finer ones have displacements of their own where they share vertices.
+    bool has_free_vertices() const;
     /// Finds those that others determine.
     void constrain();
     /// By mortar, in place of hanging nodes.
-    void join_seams(dealii::AffineConstraints<double> &constraints) const;
+    void join_seams(dealii::AffineConstraints<double> &constraints);
 
     std::unique_ptr<BodyMesh> mesh_;
     std::unique_ptr<dealii::Mapping<2>> mapping_;
@@ -106,7 +111,7 @@ namespace abut
     JointDescription joints_;
     std::vector<bool> constrained_;
     bool has_hanging_nodes_ = false, has_constraints_ = false;
-    unsigned int n_meshes_ = 0;
+    unsigned int n_meshes_ = 0, n_mortars_ = 0;
     Eigen::SparseMatrix<double> expansion_;
     Eigen::SparseMatrix<double> hanging_expansion_, glue_rows_; // of glued bodies
   };
