@@ -22,7 +22,7 @@ namespace abut
       return Json::array({number(value.x()), number(value.y())});
     }
 
-    Json body_summary(const BodyResult &result)
+    Json body_summary(const BodyResult &result, const Results &results)
     {
       const Counts counts = result.body->counts();
       const MeshQuality quality = result.body->mesh_quality();
@@ -33,25 +33,29 @@ namespace abut
       Json reactions = Json::object();
       for (const auto &[boundary, force] : result.reactions.by_boundary)
         reactions[boundary] = components(force);
-      return {{"name", result.body->name()},
-              {"cells", counts.cells},
-              {"dofs", counts.dofs},
-              {"boundary_dofs", counts.boundary_dofs},
-              {"energy", number(result.energy)},
-              {"max_von_mises", number(result.peaks.von_mises.value)},
-              {"max_strain", number(result.peaks.strain.value)},
-              {"max_displacement", number(result.peaks.displacement.value)},
-              {"rigid_displacement",
-               result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
-              {"min_level", cells.empty() ? Json(nullptr) : Json(coarsest->level)},
-              {"max_level", cells.empty() ? Json(nullptr) : Json(finest->level)},
-              {"h_max", number(quality.h_max)},
-              {"h_boundary", number(quality.h_boundary)},
-              {"h_ratio", number(quality.h_boundary / quality.h_max)},
-              {"regularity", number(quality.regularity)},
-              {"reactions", reactions},
-              {"equilibrium_residual", number(result.reactions.equilibrium_residual)},
-              {"moment_residual", number(result.reactions.moment_residual)}};
+      return {
+          {"name", result.body->name()},
+          {"cells", counts.cells},
+          {"dofs", counts.dofs},
+          {"boundary_dofs", counts.boundary_dofs},
+          {"cells_at_glue",
+           std::count_if(cells.begin(), cells.end(), [](const CellInfo &cell) { return cell.at_glue; })},
+          {"condition", results.scene->tells_condition ? number(result.body->condition()) : Json(nullptr)},
+          {"energy", number(result.energy)},
+          {"max_von_mises", number(result.peaks.von_mises.value)},
+          {"max_strain", number(result.peaks.strain.value)},
+          {"max_displacement", number(result.peaks.displacement.value)},
+          {"rigid_displacement",
+           result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
+          {"min_level", cells.empty() ? Json(nullptr) : Json(coarsest->level)},
+          {"max_level", cells.empty() ? Json(nullptr) : Json(finest->level)},
+          {"h_max", number(quality.h_max)},
+          {"h_boundary", number(quality.h_boundary)},
+          {"h_ratio", number(quality.h_boundary / quality.h_max)},
+          {"regularity", number(quality.regularity)},
+          {"reactions", reactions},
+          {"equilibrium_residual", number(result.reactions.equilibrium_residual)},
+          {"moment_residual", number(result.reactions.moment_residual)}};
     }
 
     Json contact_summary(const PairResult &result)
@@ -196,7 +200,7 @@ namespace abut
   {
     Json bodies = Json::array(), contacts = Json::array();
     for (const BodyResult &body : results.bodies)
-      bodies.push_back(body_summary(body));
+      bodies.push_back(body_summary(body, results));
     for (const PairResult &pair : results.pairs)
       contacts.push_back(contact_summary(pair));
 

@@ -24,6 +24,10 @@ namespace abut
           "Directory", "", dealii::Patterns::DirectoryName(),
           "Where results are written. Empty: results/, then the parameter file's name without its "
           "ending.");
+      prm.declare_entry(
+          "Condition numbers", "false", dealii::Patterns::Bool(),
+          "Whether summary.json tells the condition numbers of the bodies' stiffness matrices, which "
+          "costs 60 solves of each.");
     }
 
     void declare_discretisation_defaults(ParameterHandler &prm)
@@ -137,6 +141,8 @@ namespace abut
       scene.finds_contacts = preamble.finds_contacts;
       scene.contact_distance =
           sections.parse("", [](const ParameterHandler &prm) { return prm.get_double("Contact distance"); });
+      scene.tells_condition = sections.parse(
+          "Output", [](const ParameterHandler &prm) { return prm.get_bool("Condition numbers"); });
       scene.output_directory =
           sections.parse("Output", [](const ParameterHandler &prm) { return prm.get("Directory"); });
       if (scene.output_directory.empty())

@@ -17,6 +17,7 @@ namespace abut
     double diameter = 0.;
     unsigned int level = 0; ///< how often it was split
     bool at_boundary = false;
+    bool at_glue = false; ///< one of its edges is glued
     Material material;
   };
 

@@ -20,6 +20,7 @@ namespace abut
   {
     std::string file; ///< name of the parameter file, for messages
     std::string output_directory;
+    bool tells_condition = false;             ///< summary.json has the condition numbers
     std::vector<BodyDescription> bodies;      ///< in the order of the list `Bodies`
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
     bool finds_contacts = false;  ///< `Contacts = automatic`: the list is empty, see with_found_contacts

@@ -113,10 +113,39 @@ namespace abut
     }
   };
 
+  namespace
+  {
+    /// The boundary as closed curves: where cells and finer ones have displacements of their own at a common
+    /// vertex, those of the first one stand for both.
+    Trace with_common_vertices(const Trace &side,
+                               std::vector<std::pair<Vector2, std::array<unsigned int, 2>>> &vertices)
+    {
+      constexpr double same = 1e-9; // of an edge
+      std::vector<std::array<unsigned int, 2>> dofs = side.node_dofs();
+      std::vector<Segment> segments = side.segments();
+      for (const Segment &segment : segments)
+        for (const auto &[node, place] : {std::pair(segment.nodes.front(), segment.points.front()),
+                                          {segment.nodes.back(), segment.points.back()}})
+        {
+          const auto known =
+              std::find_if(vertices.begin(), vertices.end(), [&, at = place](const auto &vertex) {
+                return (vertex.first - at).norm() < same * segment.length;
+              });
+          if (known == vertices.end())
+            vertices.emplace_back(place, dofs[node]);
+          else
+            dofs[node] = known->second;
+        }
+      return {side.basis().degree(), static_cast<unsigned int>(segments.front().points.size()) - 1, segments,
+              dofs};
+    }
+  } // namespace
+
   GradedSides::GradedSides(const FiniteElementBody &body, const unsigned int n_splits,
                            const std::vector<bool> &cells)
       : n_dofs_(static_cast<unsigned int>(body.space().n_dofs()))
   {
+    std::vector<std::pair<Vector2, std::array<unsigned int, 2>>> vertices;
     const auto is_own = [&](const Segment &segment) { return cells.empty() || cells[segment.cell]; };
     std::vector<Trace> sides;
     for (const auto boundary : body.space().mesh().triangulation.get_boundary_ids())
@@ -125,6 +154,8 @@ namespace abut
       if (std::none_of(side.segments().begin(), side.segments().end(), is_own))
         continue;
       boundaries_.push_back(boundary);
+      if (body.space().has_free_vertices())
+        side = with_common_vertices(side, vertices);
       sides.push_back(std::move(side));
     }
     const SideConditions conditions(body);

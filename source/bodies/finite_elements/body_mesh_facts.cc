@@ -28,7 +28,8 @@ namespace abut
   {
     std::vector<CellInfo> cells;
     const CellMaterials materials(description());
-    for (const auto &cell : space_->mesh().triangulation.active_cell_iterators())
+    const GluePartners partners(*space_);
+    for (const auto &cell : space_->dof_handler().active_cell_iterators())
     {
       CellInfo info;
       for (const unsigned int i : cell->vertex_indices())
@@ -38,6 +39,8 @@ namespace abut
       info.level = static_cast<unsigned int>(cell->level());
       info.at_boundary = cell->at_boundary();
       info.material = materials(cell);
+      for (const unsigned int f : cell->face_indices())
+        info.at_glue = info.at_glue || partners.n_opposite(cell, f) > 0;
       cells.push_back(std::move(info));
     }
     return cells;

@@ -61,6 +61,7 @@ namespace abut
                         const Eigen::VectorXd &contact_forces) const override;
     double rigid_side_force(const Eigen::VectorXd &deformation,
                             const Eigen::VectorXd &contact_forces) const override;
+    double condition() const override;
     /// u . K u / 2.
     double strain_energy(const Eigen::VectorXd &deformation) const override;
 

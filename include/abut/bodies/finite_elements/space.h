@@ -56,6 +56,8 @@ namespace abut
     /// u_s - D^-1 (M u_m - E u_e) of every slave unknown, in its own row; the other rows are empty.
     const Eigen::SparseMatrix<double> &glue_rows() const { return glue_rows_; }
 
+    /// Whether cells and finer ones have displacements of their own where they share vertices.
+    bool has_free_vertices() const;
     bool has_hanging_nodes() const { return has_hanging_nodes_; }
     /// Whether some unknowns are determined by others.
     bool has_constraints() const { return has_constraints_; }
@@ -95,8 +97,6 @@ namespace abut
   private:
     /// Numbers the unknowns of the present mesh.
     void distribute();
-    /// Whether cells and finer ones have displacements of their own where they share vertices.
-    bool has_free_vertices() const;
     /// Finds those that others determine.
     void constrain();
     /// By mortar, in place of hanging nodes.

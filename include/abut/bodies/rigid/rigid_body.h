@@ -4,6 +4,8 @@
 #include <abut/bodies/body.h>
 #include <abut/bodies/rigid/rigid_outline.h>
 
+#include <limits>
+
 namespace abut
 {
   /**
@@ -63,6 +65,7 @@ namespace abut
                         const Eigen::VectorXd &contact_forces) const override;
     double rigid_side_force(const Eigen::VectorXd &deformation,
                             const Eigen::VectorXd &contact_forces) const override;
+    double condition() const override { return std::numeric_limits<double>::quiet_NaN(); }
     double strain_energy(const Eigen::VectorXd &) const override { return 0.; }
 
     Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const override;
