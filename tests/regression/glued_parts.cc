@@ -8,6 +8,7 @@
 #include "program.h"
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 using namespace abut::testing;
 
@@ -113,7 +114,137 @@ namespace
     double length_;
     std::vector<double> below_, above_;
   };
+  /// The lower of two layers, whole or glued at x = 2 of meshes that do not match.
+  std::string pressed_layers(const bool is_glued)
+  {
+    const std::string
+        whole = "subsection Body lower\n set Size = 4, 1\n set Cells = 8, 2\n set Young modulus = 2.1e5\n"
+                " set Adapt = true\n set Conditions = left: normal displacement: 0; "
+                "right: normal displacement: 0; bottom: normal displacement: 0\nend\n",
+        parts =
+            "subsection Part west\n set Size = 2, 1\n set Cells = 4, 2\n set Young modulus = 2.1e5\nend\n"
+            "subsection Part east\n set Size = 2, 1\n set Cells = 4, 3\n set Shift = 2, 0\n"
+            " set Young modulus = 2.1e5\nend\nsubsection Body lower\n set Shape = glued parts\n"
+            " set Parts = west, east\n set Adapt = true\n set Conditions = west.left: normal displacement: "
+            "0; "
+            "east.right: normal displacement: 0; west.bottom + east.bottom: normal displacement: 0\nend\n";
+    return "set Bodies = upper, lower\nset Contacts = c\nsubsection Body upper\n set Size = 4, 1\n set Shift "
+           "= 0, 1\n"
+           " set Cells = 8, 2\n set Young modulus = 2.1e5\n set Adapt = true\n"
+           " set Conditions = left: normal displacement: 0; right: normal displacement: 0; top: displacement "
+           "y: -1.366e-3\n"
+           "end\n" +
+           (is_glued ? parts : whole) +
+           "subsection Contact c\n set Slave = lower:" + (is_glued ? "west.top + east.top" : "top") +
+           "\n set Master = upper:bottom\n set Gap = 1e-3*x^2\nend\n";
+  }
 } // namespace
+
+TEST(GluedParts, AreAsGoodAsOneMeshAndEstimatedLikeIt)
+{
+  constexpr double exact_force = 133.8365; // prm/two-layers-rollers.prm
+  for (const std::string estimator : {"fe-be", "kelly"})
+    for (const int degree : {1, 2, 3})
+    {
+      const std::vector<std::string> adapting = {
+          "Adaptation/Estimator=" + estimator, "Adaptation/Marking=doerfler",
+          "Adaptation/Maximum passes=" + std::to_string(9 - 2 * degree),
+          "Discretisation/Degree=" + std::to_string(degree)};
+      const Answer one = run_text(pressed_layers(false), adapting),
+                   two = run_text(pressed_layers(true), adapting);
+      ASSERT_EQ(one.status, 0) << one.err;
+      ASSERT_EQ(two.status, 0) << two.err;
+      expect_balance(two);
+      const auto estimated = [](const Answer &answer) {
+        return answer.summary["error"]["discretisation"].get<double>();
+      };
+      EXPECT_NEAR(estimated(two) / estimated(one), 1., .15) << estimator << degree;
+      EXPECT_NEAR(contact_value(two, "c", "normal_force") / exact_force, 1., 5e-3) << estimator << degree;
+      EXPECT_EQ(one.summary["counters"]["bodies"]["lower"]["mortars"], 0);
+      EXPECT_GT(two.summary["counters"]["bodies"]["lower"]["mortars"], 0);
+      EXPECT_EQ(one.summary["bodies"][1]["cells_at_glue"], 0);
+      EXPECT_GT(two.summary["bodies"][1]["cells_at_glue"], 0);
+    }
+}
+
+TEST(GluedParts, EdgesToFinerCellsByMortarInAllItsKinds)
+{
+  const auto run_with = [](const std::string &slave, const std::string &vertices,
+                           const std::string &estimator) {
+    std::vector<std::string> overrides = {"Adaptation/Estimator=" + estimator, "Adaptation/Marking=doerfler",
+                                          "Adaptation/Maximum passes=5", "Discretisation/Degree=2"};
+    if (!slave.empty())
+      overrides =
+          with(overrides, {"Body lower/Nonconforming edges=mortar", "Body upper/Nonconforming edges=mortar",
+                           "Mortar/Slave=" + slave, "Mortar/Vertices=" + vertices});
+    return run_text(pressed_layers(false), overrides);
+  };
+  const Answer hanging = run_with("", "", "fe-be"), tied = run_with("finer", "tied", "fe-be"),
+               free = run_with("finer", "free", "fe-be"), coarser = run_with("coarser", "tied", "fe-be");
+  for (const Answer *answer : {&hanging, &tied, &free, &coarser})
+  {
+    ASSERT_EQ(answer->status, 0) << answer->err;
+    expect_balance(*answer);
+  }
+  const auto force = [](const Answer &answer) { return contact_value(answer, "c", "normal_force"); };
+  const auto estimated = [](const Answer &answer) {
+    return answer.summary["error"]["discretisation"].get<double>();
+  };
+  EXPECT_NEAR(force(tied) / force(hanging), 1., 1e-9);
+  EXPECT_NEAR(estimated(tied) / estimated(hanging), 1., 1e-6);
+  EXPECT_NEAR(estimated(free) / estimated(hanging), 1., .1);
+  EXPECT_GT(estimated(coarser), 2. * estimated(hanging)); // boundary elements see what it lacks
+  // Other estimators do not, and the run says so.
+  EXPECT_EQ(warning_codes(run_with("coarser", "tied", "kelly")).count("rough-estimator"), 1u);
+  EXPECT_EQ(warning_codes(run_with("finer", "tied", "kelly")).count("rough-estimator"), 0u);
+}
+
+TEST(GluedParts, RegionsOfAMeshFileThatDoNotShareNodes)
+{
+  // Two squares, one above the other, each with nodes of its own at y = 1.
+  std::ostringstream nodes, elements;
+  int n_nodes = 0, n_elements = 0;
+  const auto square = [&](const int n, const double bottom, const int lower_side, const int upper_side) {
+    const int first = n_nodes + 1;
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i)
+        nodes << ++n_nodes << ' ' << double(i) / n << ' ' << bottom + double(j) / n << " 0\n";
+    const auto at = [&](const int i, const int j) { return first + i + j * (n + 1); };
+    for (int i = 0; i < n; ++i)
+    {
+      elements << ++n_elements << " 1 2 " << lower_side << ' ' << lower_side << ' ' << at(i, 0) << ' '
+               << at(i + 1, 0) << '\n';
+      elements << ++n_elements << " 1 2 " << upper_side << ' ' << upper_side << ' ' << at(i, n) << ' '
+               << at(i + 1, n) << '\n';
+      for (int j = 0; j < n; ++j)
+        elements << ++n_elements << " 3 2 9 9 " << at(i, j) << ' ' << at(i + 1, j) << ' ' << at(i + 1, j + 1)
+                 << ' ' << at(i, j + 1) << '\n';
+    }
+  };
+  square(4, 0., 1, 2);
+  square(7, 1., 3, 4);
+  const std::string mesh = temporary_file(
+      "squares.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n1 1 \"base\"\n1 2 \"below\"\n1 3 \"above\"\n"
+      "1 4 \"top\"\n$EndPhysicalNames\n$Nodes\n" +
+          std::to_string(n_nodes) + "\n" + nodes.str() + "$EndNodes\n$Elements\n" +
+          std::to_string(n_elements) + "\n" + elements.str() + "$EndElements\n");
+  const auto scene = [&](const std::string &glue) {
+    return "set Bodies = squares\nsubsection Body squares\n set Mesh file = " + mesh +
+           "\n set Young modulus = 100\n set Poisson ratio = 0\n set Glue = " + glue +
+           "\n set Conditions = base: displacement: 0, 0; top: pressure: 1\nend\n";
+  };
+  for (const std::string glue : {"automatic", "above - below", "below - above"})
+  {
+    const Answer answer = run_text(scene(glue));
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_NEAR(answer.summary["bodies"][0]["max_displacement"].get<double>(), .02,
+                1e-12); // uniform pressure
+    EXPECT_NEAR(answer.summary["bodies"][0]["energy"].get<double>(), .01, 1e-12);
+  }
+  expect_refused(run_text(scene("none")), {"several parts"});
+  expect_refused(run_text(scene("above; below")), {"slave - master"});
+}
 
 TEST(GluedParts, ACoatingHasTheStressJumpOfBondedLayers)
 {

@@ -160,3 +160,88 @@ TEST(Mortar, TwoMaterialsHaveTheirOwnLinearFields)
                 1e-11 * u.lpNorm<Eigen::Infinity>());
     }
 }
+
+TEST(Mortar, TheGlueBalancesThePiecesOnRefinedMeshes)
+{
+  for (const unsigned int degree : {1u, 2u, 3u})
+    for (const MortarSlave slave : {MortarSlave::finer, MortarSlave::coarser})
+    {
+      auto description = glued(
+          {part("low", {{4, 2}}, {2., 1.}, {0., 0.}), part("up", {{9, 5}}, {2., 1.}, {0., 1.}, 26.)}, degree);
+      description.joints.mortar.slave = slave;
+      set_conditions(description, "low.bottom: displacement: 0, 0; up.top: traction: 1, -2 + x");
+      FiniteElementBody body(description, {});
+      std::mt19937 random(7);
+      for (int pass = 0; pass < 2; ++pass)
+        body.adapt(random_marks_for(body, random), {});
+      const Eigen::VectorXd none = Eigen::VectorXd::Zero(0), u = untouched(body),
+                            forces = body.glue_forces(u, none);
+      ASSERT_TRUE(body.space().has_hanging_nodes());
+      // Of the upper piece: the load on top, 2 along x and -4 + 2 along y; of the lower the opposite.
+      for (const bool is_slave : {true, false})
+      {
+        const GluedSides &pair = body.space().glued_sides().front();
+        const Trace side = body.space().trace(is_slave ? pair.slave : pair.master);
+        Vector2 sum = Vector2::Zero();
+        for (const auto &dofs : side.node_dofs())
+          sum += Vector2(forces[dofs[0]], forces[dofs[1]]);
+        const double sign = (is_slave ? pair.slave_name : pair.master_name) == "up.bottom" ? -1. : 1.;
+        EXPECT_NEAR((sum - sign * Vector2(2., -2.)).norm(), 0., 1e-10);
+      }
+    }
+}
+
+TEST(Mortar, TheSofterSideFollowsThenTheFiner)
+{
+  const auto slave_of = [](const double stiffness_of_up, const MortarSlave slave) {
+    auto description = glued({part("low", {{4, 2}}, {2., 1.}, {0., 0.}),
+                              part("up", {{9, 5}}, {2., 1.}, {0., 1.}, 2.6 * stiffness_of_up)},
+                             1);
+    description.joints.mortar.slave = slave;
+    set_conditions(description, "low.bottom: displacement: 0, 0");
+    return FiniteElementBody(description, {}).space().glued_sides().front().slave_name;
+  };
+  EXPECT_EQ(slave_of(10., MortarSlave::automatic), "low.top");
+  EXPECT_EQ(slave_of(.1, MortarSlave::automatic), "up.bottom");
+  EXPECT_EQ(slave_of(1., MortarSlave::automatic), "up.bottom");
+  EXPECT_EQ(slave_of(10., MortarSlave::finer), "up.bottom");
+  EXPECT_EQ(slave_of(1., MortarSlave::coarser), "low.top");
+}
+
+TEST(Mortar, GlueThatCannotHoldIsRefused)
+{
+  const auto expect_refused = [](const BodyDescription &description, const std::string &phrase,
+                                 const std::vector<std::string> &contact_sides = {}) {
+    try
+    {
+      FiniteElementBody body(description, contact_sides);
+      ADD_FAILURE() << "nothing was refused: " << phrase;
+    }
+    catch (const UserError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find(phrase), std::string::npos) << error.what();
+    }
+  };
+  const BodyDescription low = part("low", {{4, 2}}, {2., 1.}, {0., 0.});
+  const auto with_up = [&](const Vector2 &size, const Vector2 &shift, const unsigned int cells,
+                           const std::string &conditions = "low.bottom: displacement: 0, 0") {
+    auto description = glued({low, part("up", {{cells, 2}}, size, shift)}, 1);
+    set_conditions(description, conditions);
+    return description;
+  };
+  expect_refused(with_up({2., 1.}, {0., 1.5}, 4), "nothing glues the piece");
+  expect_refused(with_up({2., 1.}, {.5, 1.}, 4), "of its length");
+  auto coarse = with_up({2., 1.}, {0., 1.}, 2);
+  coarse.parts[0].cells = {{2, 2}};
+  expect_refused(coarse, "too few edges");
+  expect_refused(with_up({2., 1.}, {0., 1.}, 4, "low.bottom: displacement: 0, 0; low.top: pressure: 1"),
+                 "is glued");
+  expect_refused(with_up({2., 1.}, {0., 1.}, 4), "is glued", {"up.bottom"});
+  auto named = with_up({1., 1.}, {.5, 1.}, 4);
+  named.joints.glue = {false, {{"low.top", "up.bottom"}}};
+  expect_refused(named, "name the other side first");
+  named.joints.glue = {false, {{"up.bottom", "low.top"}, {"up.bottom", "low.top"}}};
+  expect_refused(named, "follows two others");
+  named.joints.glue = {false, {{"up.bottom", "low.top"}}};
+  EXPECT_NO_THROW(FiniteElementBody(named, {}));
+}
