@@ -239,4 +239,14 @@ namespace abut
       rename(mesh, id, *ids.begin());
     mesh.boundaries[name] = *ids.begin();
   }
+
+  void unite_named_sides(BodyMesh &mesh, const BodyDescription &body)
+  {
+    for (const Condition &condition : body.conditions)
+      if (!condition.point)
+        unite_sides(mesh, condition.boundary);
+    for (const auto &[slave, master] : body.joints.glue.pairs)
+      for (const std::string &side : {slave, master})
+        unite_sides(mesh, side);
+  }
 } // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/plane_geometry.h>
 #include <abut/base/user_error.h>
+#include <abut/bodies/finite_elements/glue.h>
 #include <abut/bodies/rigid/rigid_outline.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/run/find_contacts.h>
@@ -73,11 +74,19 @@ namespace abut
     {
       if (body.is_rigid)
         return sides_of(RigidOutline(body));
-      const auto mesh = make_mesh(body);
-      for (const Condition &condition : body.conditions)
-        if (!condition.point)
-          unite_sides(*mesh, condition.boundary);
-      return sides_of(*mesh);
+      auto mesh = make_mesh(body);
+      unite_named_sides(*mesh, body);
+      std::vector<Polyline> sides = sides_of(*mesh);
+      if (!body.is_glued())
+        return sides;
+      const Space space(std::move(mesh), body.degree);
+      for (const GluedSides &pair : find_glue(space, body, {}))
+        sides.erase(std::remove_if(sides.begin(), sides.end(),
+                                   [&](const Polyline &side) {
+                                     return side.name == pair.slave_name || side.name == pair.master_name;
+                                   }),
+                    sides.end());
+      return sides;
     }
 
     /// The distance from the ends and the middle of an edge to another that faces it and reaches as far;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <regex>
 #include <utility>
 
 namespace abut
@@ -101,15 +102,27 @@ namespace abut
   {
     body.joints.glue = parse_glue(prm.get("Glue"), where + "Glue");
     const auto names = dealii::Utilities::split_string_list(prm.get("Parts"));
-    if (shape_of(body).takes_parts == names.empty())
+    if (shape_of(body).takes_parts ? names.size() < 2 : !names.empty())
       throw UserError(where + "Parts: received `" + prm.get("Parts") +
-                      "`, the shape glued parts and no other " + "has parts, two at least");
+                      "`, the shape glued parts and no other has parts, two at least");
     if (names.empty())
       return;
+    for (const auto &[entry, unused] :
+         {std::pair("Size", "1, 1"), {"Cells", "8, 8"}, {"Mesh size", "0"}, {"Corner angle", "20"}})
+      if (prm.get(entry) != unused)
+        throw UserError(where + entry + ": received `" + prm.get(entry) +
+                        "`, but each of the glued parts has its own; leave the entry out");
     for (const std::string &name : names)
     {
       const auto found =
           std::find_if(parts.begin(), parts.end(), [&](const BodyDescription &p) { return p.name == name; });
+      static const std::regex allowed("[A-Za-z0-9_-]+");
+      if (!std::regex_match(name, allowed))
+        throw UserError(where + "Parts: received the name `" + name +
+                        "`, allowed are letters, digits, underscores and hyphens");
+      if (std::any_of(body.parts.begin(), body.parts.end(),
+                      [&](const BodyDescription &p) { return p.name == name; }))
+        throw UserError(where + "Parts: the name `" + name + "` is given twice, once is allowed");
       if (found == parts.end())
         throw UserError(where + "Parts: `" + name + "` needs a section `Part " + name + "`, there is none");
       if (found->cell_type != body.cell_type)

@@ -225,7 +225,7 @@ namespace abut
     for (const Piece &piece : common_refinement(overlap.surface, overlap.normals))
     {
       double farthest = 0.;
-      for (const double share : {.1, .5, .9})
+      for (const double share : {1e-6, .25, .5, .75, 1. - 1e-6})
         farthest = std::max(farthest, std::abs(overlap.normals[0]
                                                    .project(piece.cut_segment,
                                                             piece.start + share * (piece.end - piece.start),

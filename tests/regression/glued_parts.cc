@@ -285,3 +285,42 @@ TEST(GluedParts, ABushIsAsStiffAsRubberBetweenRigidCylinders)
   EXPECT_NEAR(-reactions["inner.inner"][1].get<double>() / force, 1., 1e-3);
   EXPECT_NEAR(reactions["outer.outer"][1].get<double>() / force, 1., 1e-3);
 }
+
+TEST(GluedParts, WhatTheirSectionsSayTwiceIsRefused)
+{
+  const auto scene = [](const std::string &parts, const std::string &entries) {
+    return "set Bodies = b\nsubsection Part low\n set Size = 2, 1\n set Cells = 4, 2\nend\nsubsection Part "
+           "up\n"
+           " set Size = 2, 1\n set Cells = 6, 2\n set Shift = 0, 1\nend\nsubsection Body b\n set Shape = "
+           "glued parts\n"
+           " set Parts = " +
+           parts + "\n set Conditions = low.bottom: displacement: 0, 0\n" + entries + "end\n";
+  };
+  EXPECT_EQ(run_text(scene("low, up", "")).status, 0);
+  expect_refused(run_text(scene("low", "")), {"Body b/Parts", "two at least"});
+  expect_refused(run_text(scene("low, up, low", "")), {"Body b/Parts", "given twice"});
+  expect_refused(run_text(scene("low, middle", "")), {"needs a section `Part middle`"});
+  for (const std::string entry : {"Size = 3, 3", "Cells = 2, 2", "Mesh size = 1", "Young modulus = 2"})
+    expect_refused(run_text(scene("low, up", " set " + entry + "\n")),
+                   {"each of the glued parts has its own"});
+  expect_refused(run_text("set Bodies = b\nsubsection Body b\nend\nsubsection Part low\nend\n"),
+                 {"Part low", "no body"});
+  expect_refused(run_text("set Bodies = b\nsubsection Body b\n set Parts = c, d\nend\n"),
+                 {"Body b/Parts", "no other"});
+}
+
+TEST(GluedParts, FoundContactsAreNotThoseOfGluedSides)
+{
+  const Answer answer =
+      run_text("set Bodies = b, punch\nset Contacts = automatic\nset Contact distance = 0.02\n"
+               "subsection Part low\n set Size = 2, 1\n set Cells = 8, 4\nend\n"
+               "subsection Part coat\n set Size = 2, 0.01\n set Cells = 12, 1\n set Shift = 0, 1\nend\n"
+               "subsection Body b\n set Shape = glued parts\n set Parts = low, coat\n set Conditions = "
+               "low.bottom: displacement: 0, 0\n"
+               "end\nsubsection Body punch\n set Shape = rigid outline\n set Outline = (0.5, 1.01) -> foot: "
+               "(1.5, 1.01) -> (1.5, 2) -> "
+               "(0.5, 2) -> close\n set Conditions = foot: displacement: 0, -0.001\nend\n");
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  ASSERT_EQ(answer.summary["contacts"].size(), 1u);
+  EXPECT_EQ(answer.summary["contacts"][0]["name"], "b.coat.top-punch.foot");
+}

@@ -245,3 +245,19 @@ TEST(Mortar, GlueThatCannotHoldIsRefused)
   named.joints.glue = {false, {{"up.bottom", "low.top"}}};
   EXPECT_NO_THROW(FiniteElementBody(named, {}));
 }
+
+TEST(Mortar, PartsThatNothingJoinsAreRefusedWhateverGlueSays)
+{
+  auto description =
+      glued({part("low", {{4, 2}}, {2., 1.}, {0., 0.}), part("up", {{4, 2}}, {2., 1.}, {0., 1.})}, 1);
+  set_conditions(description, "low.bottom: displacement: 0, 0");
+  description.joints.glue = {};
+  EXPECT_THROW(FiniteElementBody(description, {}), UserError);
+  description.joints.glue = {false, {{"low.top", "up.bottom"}, {"up.bottom", "low.top"}}};
+  EXPECT_THROW(FiniteElementBody(description, {}), UserError);
+  description.joints.glue = {true, {}};
+  EXPECT_NO_THROW(FiniteElementBody(description, {}));
+  description.joints.mortar_edges = true;
+  description.joints.mortar.vertices = MortarVertices::free;
+  EXPECT_THROW(FiniteElementBody(description, {}), UserError);
+}

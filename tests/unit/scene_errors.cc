@@ -38,7 +38,8 @@ namespace
 TEST(SceneErrors, bodies)
 {
   expect_refused({
-      {"Body upper/Shape=cube", "Body upper/Shape: received `cube`, allowed are L-shape, disc, half disc"},
+      {"Body upper/Shape=cube",
+       "Body upper/Shape: received `cube`, allowed are L-shape, disc, glued parts, half disc"},
       {"Body upper/Shape=ractangle", "did you mean rectangle?"},
       {"Body upper/Shape=mesh file", "Body upper/Mesh file: received ``, the shape mesh file needs its name"},
       {"Body upper/Size=4", "Body upper/Size: received `4`, the shape rectangle needs width, height"},

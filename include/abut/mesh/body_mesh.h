@@ -60,6 +60,9 @@ namespace abut
   /// more, or twice there.
   void unite_sides(BodyMesh &mesh, const std::string &name);
 
+  /// Does so for all sides that the body's conditions and glue name.
+  void unite_named_sides(BodyMesh &mesh, const BodyDescription &body);
+
   /**
    * H_a of the penalty parameter and of the elastic layer, in world lengths: the depth of the body behind a
    * side. `Contact depth` (times `Scale`) where given; else the radius of a disc or a part of it, the

@@ -64,14 +64,9 @@ namespace abut
                                       const std::vector<std::string> &contact_sides)
     {
       auto mesh = make_mesh(description);
-      for (const Condition &condition : description.conditions)
-        if (!condition.point)
-          unite_sides(*mesh, condition.boundary);
+      unite_named_sides(*mesh, description);
       for (const std::string &side : contact_sides)
         unite_sides(*mesh, side);
-      for (const auto &[slave, master] : description.joints.glue.pairs)
-        for (const std::string &side : {slave, master})
-          unite_sides(*mesh, side);
       return mesh;
     }
   } // namespace

@@ -181,8 +181,13 @@ namespace abut
       void add(const GlueSide &slave, const GlueSide &master)
       {
         for (const GluedSides &other : glued_)
+        {
           if (other.slave == slave.id)
             throw UserError(where() + "the side " + slave.name + " follows two others, one is allowed");
+          if (other.slave == master.id || other.master == slave.id)
+            throw UserError(where() + "the side " + (other.slave == master.id ? master : slave).name +
+                            " follows another one and leads a third, one of both is allowed");
+        }
         const bool of_one_material = slave.softest == master.softest && slave.stiffest == master.stiffest &&
                                      slave.softest == slave.stiffest;
         glued_.push_back({slave.id, master.id, slave.name, master.name, slave.reach,
@@ -195,6 +200,14 @@ namespace abut
       {
         std::ostringstream text;
         text.precision(3);
+        constexpr double far = 50.; // times what is allowed
+        const SideOverlap nearby = overlap_of(a.trace, b.trace, far * a.reach);
+        if (nearby.share > all_of_it)
+        {
+          text << where() << "the sides " << a.name << " and " << b.name << " are up to " << nearby.farthest
+               << " apart, allowed is " << a.reach << ", a fiftieth of an edge; let both follow one curve";
+          throw UserError(text.str());
+        }
         text << where() << "the side " << a.name << " lies on " << b.name << " with " << 100. * share
              << " % of its length, all of one side is allowed; " << advice
              << " one side where the other ends (split it, by parts or named pieces)";
@@ -245,8 +258,12 @@ namespace abut
   std::vector<GluedSides> find_glue(const Space &space, const BodyDescription &body,
                                     const std::vector<std::string> &contact_sides)
   {
-    if (!body.is_glued())
+    if (!body.is_glued() && body.parts.empty())
       return {};
+    if (body.joints.mortar_edges && body.joints.mortar.vertices == MortarVertices::free)
+      throw UserError(
+          "Body " + body.name +
+          "/Nonconforming edges: Mortar/Vertices = free is for bodies without glue; allowed is tied");
     return GlueFinder(space, body).run(contact_sides);
   }
 } // namespace abut

@@ -64,12 +64,16 @@ namespace abut
       return 0;
     constexpr int n_samples = 32;
     std::set<unsigned int> cells;
-    const dealii::Point<2> from = cell->face(face)->vertex(0), to = cell->face(face)->vertex(1);
+    const dealii::ReferenceCell reference = cell->reference_cell();
+    const auto corner = [&](const unsigned int end) {
+      return reference.vertex<2>(reference.face_to_cell_vertices(face, end, 1));
+    };
+    const auto place = space_.mesh().geometry(space_.mesh().curved ? 4 : 1);
     for (int i = 0; i < n_samples; ++i)
     {
       const double s = (i + .5) / n_samples;
-      const dealii::Point<2> point = from + s * (to - from);
-      if (const auto partner = opposite(cell->face(face)->boundary_id(), {point[0], point[1]}))
+      const Vector2 point = place(cell, dealii::Point<2>(corner(0) + s * (corner(1) - corner(0))));
+      if (const auto partner = opposite(cell->face(face)->boundary_id(), point))
         cells.insert(partner->cell->active_cell_index());
     }
     return static_cast<unsigned int>(cells.size());

@@ -23,6 +23,7 @@ namespace abut
   namespace
   {
     constexpr unsigned int curve_degree = 4;
+    constexpr double all_of_a_side = 1. - 1e-6;
     constexpr unsigned int most_levels = 24; // of a mesh with free vertices
 
     std::unique_ptr<dealii::FiniteElement<2>> scalar_element(const CellType type, const unsigned int degree)
@@ -106,6 +107,13 @@ namespace abut
     ++n_meshes_;
     if (has_free_vertices())
     {
+      if (mesh_->cell_type == CellType::triangles)
+        throw UserError("Body " + mesh_->name +
+                        ": Mortar/Vertices = free is for quadrilaterals, allowed with triangles is tied");
+      if (mesh_->triangulation.n_levels() > most_levels)
+        throw UserError("Body " + mesh_->name + ": its cells are split more than " +
+                        std::to_string(most_levels - 1) +
+                        " times, which Mortar/Vertices = free does not follow; take tied");
       for (const auto &cell : dof_handler_.active_cell_iterators())
         cell->set_active_fe_index(static_cast<unsigned int>(cell->level()));
       dof_handler_.distribute_dofs(elements_of_levels(element_->degree, most_levels));
@@ -162,9 +170,14 @@ namespace abut
     {
       ++n_mortars_;
       const Trace slave = trace(pair.slave), master = trace(pair.master);
-      add_mortar(slave, master,
-                 make_mortar(overlap_of(slave, master, pair.reach), joints_.mortar.multipliers), constraints,
-                 rows);
+      const SideOverlap overlap = overlap_of(slave, master, pair.reach);
+      if (!(overlap.share > all_of_a_side))
+        throw ComputationError(
+            "Body " + mesh_->name + ": the glued side " + pair.slave_name + " has come off " +
+            pair.master_name +
+            " where cells were split: they are too far apart between the nodes they had; let "
+            "both follow one curve, or place them nearer");
+      add_mortar(slave, master, make_mortar(overlap, joints_.mortar.multipliers), constraints, rows);
     }
     if (!glued_.empty())
     {

@@ -3,6 +3,8 @@
 #include <abut/base/user_error.h>
 #include <abut/bodies/rigid/mode_fit.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace abut

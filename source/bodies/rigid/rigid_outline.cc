@@ -5,6 +5,8 @@
 #include <abut/bodies/rigid/rigid_outline.h>
 #include <abut/scene/shape_entry.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

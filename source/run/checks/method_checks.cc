@@ -60,7 +60,8 @@ namespace abut
             (joints.mortar.slave == MortarSlave::coarser || joints.mortar.vertices == MortarVertices::free))
           return "Adaptation/Estimator = " + estimator.name + " does not see that the displacement of body " +
                  body->name() +
-                 " jumps at edges between cells and finer ones, where the coarser ones follow or the vertices "
+                 " jumps at edges between cells and finer ones, where the coarser ones follow or the "
+                 "vertices "
                  "are free (Mortar): the error may be several times what it says; fe-be sees it";
       }
       return "";
