@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
-#include <abut/base/user_error.h>
 #include <abut/bodies/body.h>
 
 #include <deal.II/base/exceptions.h>
@@ -36,12 +35,5 @@ namespace abut
     errors.stress_norm = std::sqrt(errors.stress_norm);
     errors.energy_norm = std::sqrt(errors.energy_norm);
     return errors;
-  }
-
-  void check_one_material(const Body &body, const std::string &estimator)
-  {
-    if (body.description().has_inner_interfaces())
-      throw UserError("Body " + body.name() + ": it has Regions of other materials; Adaptation/Estimator = " +
-                      estimator + " is for bodies of one, allowed is kelly");
   }
 } // namespace abut

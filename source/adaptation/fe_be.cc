@@ -2,6 +2,7 @@
 #include <abut/adaptation/better_stress.h>
 #include <abut/adaptation/fe_be.h>
 #include <abut/base/stopwatch.h>
+#include <abut/base/user_error.h>
 
 namespace abut
 {
@@ -43,7 +44,10 @@ namespace abut
 
   void FEBEIndicator::check(const Body &body) const
   {
-    check_one_material(body, "fe-be");
+    if (body.description().has_inner_interfaces())
+      throw UserError(
+          "Body " + body.name() + ": it has Regions of other materials; " + asked +
+          " is for bodies whose materials do not share nodes, allowed are kelly, zz, spr, or glued parts");
     check_boundary_elements(as_finite_elements(body, asked));
   }
 

@@ -154,14 +154,14 @@ namespace abut
       std::vector<dealii::types::global_dof_index> dofs_;
     };
 
-    std::map<unsigned int, StressPolynomial> fit_all(const FiniteElementBody &body,
-                                                     const BodySolution &solution)
+    std::map<PatchCentre, StressPolynomial> fit_all(const FiniteElementBody &body,
+                                                    const BodySolution &solution)
     {
       constexpr std::size_t fewest_cells = 4;
       const Space &space = body.space();
       const Equations equations(body, solution);
-      std::map<unsigned int, StressPolynomial> polynomials;
-      for (const auto &[vertex, patch] : vertex_patches(space, fewest_cells))
+      std::map<PatchCentre, StressPolynomial> polynomials;
+      for (const auto &[centre, patch] : vertex_patches(space, fewest_cells))
       {
         std::vector<Equation> all;
         double size = 0.;
@@ -171,9 +171,9 @@ namespace abut
             all.insert(all.end(), part->begin(), part->end());
           size = std::max(size, cell->diameter());
         }
-        const auto &place = space.mesh().triangulation.get_vertices()[vertex];
+        const auto &place = space.mesh().triangulation.get_vertices()[centre.vertex];
         const auto added =
-            polynomials.emplace(vertex, StressPolynomial(Vector2(place[0], place[1]), size, space.degree()));
+            polynomials.emplace(centre, StressPolynomial(Vector2(place[0], place[1]), size, space.degree()));
         added.first->second.fit(all);
       }
       return polynomials;
@@ -184,7 +184,7 @@ namespace abut
   {
     const FiniteElementBody &body = as_finite_elements(solution.body, "Adaptation/Estimator = spr");
     const Space &space = body.space();
-    const std::map<unsigned int, StressPolynomial> polynomials = fit_all(body, solution);
+    const std::map<PatchCentre, StressPolynomial> polynomials = fit_all(body, solution);
     const CellMaterials materials(body.description());
     dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(),
                                sample_rule(space, SamplePoints::comparison),
@@ -201,16 +201,11 @@ namespace abut
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
         for (const unsigned int v : cell->vertex_indices())
           sum += cell->reference_cell().d_linear_shape_function(unit, v) *
-                 polynomials.at(cell->vertex_index(v))(Vector2(place[0], place[1]));
+                 polynomials.at({cell->vertex_index(v), cell->material_id()})(Vector2(place[0], place[1]));
         better.push_back({sum[0], sum[1], sum[2], nu * (sum[0] + sum[1])});
       }
     }
     return compare(solution, better);
-  }
-
-  void SPRIndicator::check(const Body &body) const
-  {
-    check_one_material(body, "spr");
   }
 
   namespace

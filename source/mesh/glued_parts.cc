@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/mesh/raw_mesh.h>
 #include <abut/scene/shape_entry.h>

@@ -324,3 +324,24 @@ TEST(GluedParts, FoundContactsAreNotThoseOfGluedSides)
   ASSERT_EQ(answer.summary["contacts"].size(), 1u);
   EXPECT_EQ(answer.summary["contacts"][0]["name"], "b.coat.top-punch.foot");
 }
+
+TEST(GluedParts, FloatOnWhatCarriesThem)
+{
+  // Two layers on a rigid floor, pressed by 1 over a width of 2 and pulled down by 0.5 a volume of 4.
+  const Answer answer =
+      run_text("set Bodies = b, floor\nset Contacts = c\n"
+               "subsection Part low\n set Size = 2, 1\n set Cells = 6, 3\n set Young modulus = 100\nend\n"
+               "subsection Part up\n set Size = 2, 1\n set Cells = 8, 4\n set Shift = 0, 1\n set Young "
+               "modulus = 1e6\nend\n"
+               "subsection Body b\n set Shape = glued parts\n set Parts = low, up\n set Body force = 0, "
+               "-0.5\n set Adapt = true\n"
+               " set Conditions = (0, 0): displacement x: 0; up.top: pressure: 1\nend\n"
+               "subsection Body floor\n set Shape = rigid outline\n set Outline = (-1, -1) -> (3, -1) -> (3, "
+               "0) -> ground: (-1, 0) -> close\n"
+               " set Conditions = ground: displacement: 0, 0\nend\n"
+               "subsection Contact c\n set Slave = b:low.bottom\n set Master = floor:ground\nend\n",
+               {"Adaptation/Estimator=fe-be", "Adaptation/Marking=doerfler", "Adaptation/Maximum passes=3"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  expect_balance(answer);
+  EXPECT_NEAR(contact_value(answer, "c", "normal_force"), 4., 1e-9);
+}

@@ -84,8 +84,8 @@ TEST(AdaptationHanging, PatchesOfHangingVerticesHoldTheCoarseCell)
   const auto body = two_squares(1);
   const auto &vertices = body->space().mesh().triangulation.get_vertices();
   const auto size_at = [&](const double x, const double y, const std::size_t fewest) {
-    for (const auto &[vertex, patch] : vertex_patches(body->space(), fewest))
-      if (vertices[vertex].distance({x, y}) < 1e-12)
+    for (const auto &[centre, patch] : vertex_patches(body->space(), fewest))
+      if (vertices[centre.vertex].distance({x, y}) < 1e-12)
         return patch.size();
     return std::size_t(0);
   };

@@ -15,7 +15,5 @@ namespace abut
   {
   public:
     CellErrors estimate(const BodySolution &solution) const override;
-    /// Refuses bodies of several materials: their stress jumps.
-    void check(const Body &body) const override;
   };
 } // namespace abut
