@@ -33,8 +33,8 @@ namespace abut
   double ContactDescription::penalty_between(const double slave_flexibility,
                                              const double master_flexibility) const
   {
-    Assert(slave_flexibility > 0. && master_flexibility > 0.,
-           dealii::ExcMessage("a flexibility H/E is a number above 0"));
+    Assert(slave_flexibility >= 0. && master_flexibility >= 0.,
+           dealii::ExcMessage("a flexibility H/E is a number, 0 of a rigid body"));
     return penalty.value_or(.5 * penalty_coefficient * (slave_flexibility + master_flexibility));
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
+#include <abut/bodies/finite_elements/carried_fields.h>
 #include <abut/bodies/finite_elements/level_element.h>
 #include <abut/bodies/finite_elements/seams.h>
 #include <abut/bodies/finite_elements/space.h>
@@ -13,8 +14,6 @@
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/vector.h>
-#include <deal.II/numerics/solution_transfer.h>
 
 #include <map>
 
@@ -197,30 +196,20 @@ namespace abut
   std::vector<Eigen::VectorXd> Space::adapt(const CellMarks &marks,
                                             const std::vector<Eigen::VectorXd> &fields)
   {
-    using Field = dealii::Vector<double>;
     dealii::Triangulation<2> &triangulation = mesh_->triangulation;
-    std::vector<Field> old_fields;
-    for (const Eigen::VectorXd &field : fields)
-      old_fields.emplace_back(field.begin(), field.end());
-
     set_flags(triangulation, marks);
     triangulation.prepare_coarsening_and_refinement();
     if (!has_flags(triangulation))
       return fields;
-    dealii::SolutionTransfer<2, Field> transfer(dof_handler_);
-    if (!fields.empty())
-      transfer.prepare_for_coarsening_and_refinement(old_fields);
+    const CarriedFields carried(dof_handler_, fields);
     triangulation.execute_coarsening_and_refinement();
     if (mesh_->curved)
       check_jacobians(triangulation, *mapping_, degree(), "Body " + mesh_->name);
     distribute();
 
-    std::vector<Field> new_fields(fields.size(), Field(dof_handler_.n_dofs()));
-    if (!fields.empty())
-      transfer.interpolate(old_fields, new_fields);
-    std::vector<Eigen::VectorXd> result;
-    for (const Field &field : new_fields)
-      result.push_back(expansion_ * Eigen::Map<const Eigen::VectorXd>(field.begin(), n_dofs()));
+    std::vector<Eigen::VectorXd> result = carried.on(dof_handler_);
+    for (Eigen::VectorXd &field : result)
+      field = expansion_ * field;
     return result;
   }
 
