@@ -25,7 +25,12 @@ namespace abut
       {
         std::iota(leader_.begin(), leader_.end(), std::size_t(0));
       }
-      std::size_t of(const std::size_t i) const { return leader_[i] == i ? i : of(leader_[i]); }
+      std::size_t of(std::size_t i)
+      {
+        for (; leader_[i] != i; i = leader_[i])
+          leader_[i] = leader_[leader_[i]]; // shortens the way for those who come later
+        return i;
+      }
       void join(const std::size_t i, const std::size_t j) { leader_[of(i)] = of(j); }
 
     private:
@@ -238,13 +243,23 @@ namespace abut
                   "side of its own");
       }
 
-      void check_joined() const
+      /// Cell by cell: a side of a mesh file may belong to several pieces.
+      void check_joined()
       {
-        for (const GlueSide &side : sides_)
-          if (joined_.of(side.vertex) != joined_.of(sides_.front().vertex))
-            throw UserError(where() + "nothing glues the piece with the side " + side.name +
-                            " to the one with the side " + sides_.front().name +
-                            "; check the places, or make them two bodies");
+        const auto &triangulation = space_.mesh().triangulation;
+        const std::size_t first = joined_.of(triangulation.begin_active()->vertex_index(0));
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (joined_.of(cell->vertex_index(0)) != first)
+          {
+            std::ostringstream text;
+            text.precision(6);
+            text << where() << "nothing glues the piece around (" << cell->center()[0] << ", "
+                 << cell->center()[1]
+                 << ") to the first one; check the places, give every piece sides of its own, or make them "
+                    "two "
+                    "bodies";
+            throw UserError(text.str());
+          }
       }
 
       const Space &space_;
