@@ -8,6 +8,7 @@
 #include "program.h"
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 using namespace abut::testing;
@@ -123,12 +124,15 @@ TEST(GluedParts, RegionsOfAMeshFileThatDoNotShareNodes)
   };
   square(4, 0., 1, 2);
   square(7, 1., 3, 4);
-  const std::string mesh = temporary_file(
-      "squares.msh",
-      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n1 1 \"base\"\n1 2 \"below\"\n1 3 \"above\"\n"
-      "1 4 \"top\"\n$EndPhysicalNames\n$Nodes\n" +
-          std::to_string(n_nodes) + "\n" + nodes.str() + "$EndNodes\n$Elements\n" +
-          std::to_string(n_elements) + "\n" + elements.str() + "$EndElements\n");
+  const auto mesh_file = [&](const std::string &edges_and_cells) {
+    return temporary_file("squares.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n1 1 "
+                                         "\"base\"\n1 2 \"below\"\n1 3 \"above\"\n"
+                                         "1 4 \"top\"\n$EndPhysicalNames\n$Nodes\n" +
+                                             std::to_string(n_nodes) + "\n" + nodes.str() +
+                                             "$EndNodes\n$Elements\n" + std::to_string(n_elements) + "\n" +
+                                             edges_and_cells + "$EndElements\n");
+  };
+  const std::string mesh = mesh_file(elements.str());
   const auto scene = [&](const std::string &glue) {
     return "set Bodies = squares\nsubsection Body squares\n set Mesh file = " + mesh +
            "\n set Young modulus = 100\n set Poisson ratio = 0\n set Glue = " + glue +
@@ -143,6 +147,13 @@ TEST(GluedParts, RegionsOfAMeshFileThatDoNotShareNodes)
     EXPECT_NEAR(answer.summary["bodies"][0]["energy"].get<double>(), .01, 1e-12);
   }
   expect_refused(run_text(scene("none")), {"several parts"});
+  // One side around both squares: no piece has a side of its own that could be glued.
+  const std::string common =
+      mesh_file(std::regex_replace(elements.str(), std::regex(" 1 2 [234] [234] "), " 1 2 1 1 "));
+  expect_refused(
+      run_text("set Bodies = squares\nsubsection Body squares\n set Glue = automatic\n set Mesh file = " +
+               common + "\n set Conditions = (0, 0): displacement: 0, 0; (1, 0): displacement y: 0\nend\n"),
+      {"nothing glues the piece"});
   expect_refused(run_text(scene("above; below")), {"slave - master"});
 }
 
