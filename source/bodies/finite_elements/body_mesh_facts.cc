@@ -40,7 +40,7 @@ namespace abut
       info.at_boundary = cell->at_boundary();
       info.material = materials(cell);
       for (const unsigned int f : cell->face_indices())
-        info.at_glue = info.at_glue || partners.n_opposite(cell, f) > 0;
+        info.at_glue = info.at_glue || partners.n_opposite(cell, f, 1) > 0;
       cells.push_back(std::move(info));
     }
     return cells;

@@ -58,20 +58,20 @@ namespace abut
     return partner;
   }
 
-  unsigned int GluePartners::n_opposite(const Cell &cell, const unsigned int face) const
+  unsigned int GluePartners::n_opposite(const Cell &cell, const unsigned int face,
+                                        const unsigned int n_points) const
   {
     if (!cell->at_boundary(face) || !is_glued(cell->face(face)->boundary_id()))
       return 0;
-    constexpr int n_samples = 32;
     std::set<unsigned int> cells;
     const dealii::ReferenceCell reference = cell->reference_cell();
     const auto corner = [&](const unsigned int end) {
       return reference.vertex<2>(reference.face_to_cell_vertices(face, end, 1));
     };
     const auto place = space_.mesh().geometry(space_.mesh().curved ? 4 : 1);
-    for (int i = 0; i < n_samples; ++i)
+    for (unsigned int i = 0; i < n_points; ++i)
     {
-      const double s = (i + .5) / n_samples;
+      const double s = (i + .5) / n_points;
       const Vector2 point = place(cell, dealii::Point<2>(corner(0) + s * (corner(1) - corner(0))));
       if (const auto partner = opposite(cell->face(face)->boundary_id(), point))
         cells.insert(partner->cell->active_cell_index());

@@ -25,8 +25,9 @@ namespace abut
     bool is_glued(const dealii::types::boundary_id boundary) const { return others_.count(boundary) > 0; }
     /// None where the other side has ended.
     std::optional<GluePartner> opposite(dealii::types::boundary_id boundary, const Vector2 &place) const;
-    /// How many edges lie opposite an edge of a glued side; 0 for others.
-    unsigned int n_opposite(const Cell &cell, unsigned int face) const;
+    /// How many cells lie opposite an edge of a glued side, as far as points spread over it tell; 0 for
+    /// others.
+    unsigned int n_opposite(const Cell &cell, unsigned int face, unsigned int n_points = 32) const;
 
   private:
     struct Other
