@@ -44,6 +44,10 @@ namespace abut
         record.total = bound;
       else if (std::isfinite(record.iteration))
         record.total = std::hypot(*record.discretisation, record.iteration);
+      record.budget.discretisation = record.discretisation;
+      record.budget.bounded_part = estimation.bound();
+      if (std::isfinite(record.iteration))
+        record.budget.iteration = record.iteration;
       record.estimate_reason = why_no_bound(setup.scene, outcome.solution);
     }
 

@@ -8,6 +8,7 @@
 #include <abut/contact/contact_surface.h>
 #include <abut/decomposition/scheme.h>
 #include <abut/mesh/quality.h>
+#include <abut/results/error_budget.h>
 #include <abut/results/estimator_quality.h>
 #include <abut/results/peaks.h>
 #include <abut/results/times.h>
@@ -99,6 +100,7 @@ namespace abut
     std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
     std::optional<double> total;          ///< root of the squares of discretisation and iteration; with fe-be
                                           ///< the bound of both together (Estimation::bound)
+    ErrorBudget budget;                   ///< what the error is made of
     std::string estimate_reason;          ///< why `total` is an estimate and no bound; empty where it is one
     TrueErrors true_errors;
     std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
