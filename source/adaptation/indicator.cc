@@ -16,6 +16,12 @@ namespace abut
     return entry.estimates() ? entry.make(parameters) : nullptr;
   }
 
+  std::unique_ptr<Indicator> make_certifier(const AdaptationParameters &parameters)
+  {
+    const EstimatorEntry &entry = Registry<EstimatorEntry>::get().find(parameters.estimator);
+    return entry.make_certifier != nullptr ? entry.make_certifier(parameters) : nullptr;
+  }
+
   Eigen::VectorXd relative_errors(const CellErrors &errors, const Normalisation normalisation)
   {
     if (!(errors.stress_norm > 0.))

@@ -48,6 +48,16 @@ namespace abut
     return marks;
   }
 
+  namespace
+  {
+    const Registered<MarkingEntry>
+        registered_automatic_marking({"automatic",
+                                      "with a Tolerance: the fewest cells of all bodies together that bring "
+                                      "the error below it, but no more "
+                                      "than carry nine tenths of its square",
+                                      nullptr, true});
+  } // namespace
+
   CellMarks mark(const CellErrors &errors, const Eigen::VectorXd &eta, const AdaptationParameters &parameters)
   {
     return Registry<MarkingEntry>::get().find(parameters.marking).mark(errors, eta, parameters);

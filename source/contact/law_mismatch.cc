@@ -32,6 +32,11 @@ namespace abut
       return 2. / (M_PI * side.plane_modulus) * trace.segments()[segment].length / trace.basis().degree() *
              square;
     }
+
+    Index n_segments(const ContactBody &side)
+    {
+      return static_cast<Index>(side.trace->segments().size());
+    }
   } // namespace
 
   LawMismatch law_mismatch(const ContactPair &pair, const std::vector<bool> &near,
@@ -44,6 +49,8 @@ namespace abut
     const Eigen::ArrayXd gaps = samples.gaps(displacement.cut, displacement.other);
     const Eigen::ArrayXd of_cut = samples.cut * traction.cut, of_other = samples.other * traction.other;
     LawMismatch sum;
+    sum.of_cut_segments = Eigen::VectorXd::Zero(n_segments(pair.cut_side()));
+    sum.of_other_segments = Eigen::VectorXd::Zero(n_segments(pair.other_side()));
     for (std::size_t i = 0; i < samples.pieces.size(); ++i)
     {
       const Piece &piece = samples.pieces[i];
@@ -55,11 +62,16 @@ namespace abut
       const Values cut = at_piece(of_cut), other = at_piece(of_other);
       const Values carried = samples.other_carries[i] ? other : cut;
       const Values pressure = near[piece.part] ? Values(carried.max(0.)) : Values(Values::Zero());
-      sum.law += (weights * largest_product(pair.penalty(), pressure, at_piece(gaps))).sum();
-      sum.cut_response +=
+      const double law = (weights * largest_product(pair.penalty(), pressure, at_piece(gaps))).sum();
+      const double cut_response =
           half_plane_energy(pair.cut_side(), piece.cut_segment, (weights * (pressure - cut).square()).sum());
-      sum.other_response += half_plane_energy(pair.other_side(), piece.other_segment,
-                                              (weights * (pressure - other).square()).sum());
+      const double other_response = half_plane_energy(pair.other_side(), piece.other_segment,
+                                                      (weights * (pressure - other).square()).sum());
+      sum.law += law;
+      sum.cut_response += cut_response;
+      sum.other_response += other_response;
+      sum.of_cut_segments[static_cast<Index>(piece.cut_segment)] += .5 * law + cut_response;
+      sum.of_other_segments[static_cast<Index>(piece.other_segment)] += .5 * law + other_response;
     }
     return sum;
   }

@@ -56,6 +56,7 @@ namespace abut
                                   "at the origin; Cells along x, along y of each of its three squares"};
       entry.size = "half width";
       entry.make = l_shape;
+      entry.coarse_cells = [](const std::vector<double> &) { return std::array<unsigned int, 2>{{2, 2}}; };
       return entry;
     }
 

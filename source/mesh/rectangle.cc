@@ -4,6 +4,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace abut
@@ -45,6 +46,16 @@ namespace abut
     return mesh;
   }
 
+  std::array<unsigned int, 2> coarse_cells_of_rectangle(const std::vector<double> &size)
+  {
+    constexpr double across = 2., most = 200.;
+    const double cell = std::min(size.at(0), size.at(1)) / across;
+    const auto along = [&](const double length) {
+      return static_cast<unsigned int>(std::lround(std::min(length / cell, most)));
+    };
+    return {{along(size[0]), along(size[1])}};
+  }
+
   namespace
   {
     ShapeEntry rectangle_entry()
@@ -53,6 +64,7 @@ namespace abut
                        "corner at the origin, sides left, right, bottom, top; Cells along x, along y"};
       entry.size = "width, height";
       entry.takes_grading = true;
+      entry.coarse_cells = coarse_cells_of_rectangle;
       entry.make = [](const BodyDescription &body) {
         return rectangle_below(body, [&](double) { return body.size[1]; });
       };

@@ -86,6 +86,7 @@ namespace abut
       entry.takes_top = true;
       entry.has_curves = true;
       entry.make = rectangle_with_curved_top;
+      entry.coarse_cells = coarse_cells_of_rectangle;
       entry.attach_curves = attach_curved_top;
       return entry;
     }

@@ -3,6 +3,9 @@
 #include <abut/mesh/raw_mesh.h>
 #include <abut/scene/shape_entry.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace abut
 {
   namespace
@@ -35,6 +38,14 @@ namespace abut
       return reflect(reflect(quarter_ring(body), 0, "left"), 1, "bottom");
     }
 
+    /// One across, as long at the inner arc as across.
+    std::array<unsigned int, 2> coarse_cells_of_ring(const std::vector<double> &size)
+    {
+      constexpr double least = 2., most = 64.;
+      const double along = M_PI / 2. * size.at(0) / (size.at(1) - size.at(0));
+      return {{static_cast<unsigned int>(std::lround(std::clamp(along, least, most))), 1}};
+    }
+
     ShapeEntry ring_entry(const std::string &name, const std::string &documentation,
                           RawMesh (*make)(const BodyDescription &))
     {
@@ -43,6 +54,7 @@ namespace abut
       entry.order = "the inner below the outer";
       entry.has_curves = true;
       entry.make = make;
+      entry.coarse_cells = coarse_cells_of_ring;
       entry.attach_curves = attach_polar_coordinates;
       entry.contact_depth = [](const BodyDescription &body) { return body.size.at(1) - body.size.at(0); };
       return entry;

@@ -6,9 +6,10 @@
 
 namespace abut
 {
-  std::array<ErrorPart, 5> ErrorBudget::parts() const
+  std::array<ErrorPart, 6> ErrorBudget::parts() const
   {
     return {{{"discretisation", discretisation.value_or(0.)},
+             {"contact", contact.value_or(0.)},
              {"iteration", iteration.value_or(0.)},
              {"penalty", penalty.value_or(0.)},
              {"linear_algebra", linear_algebra.value_or(0.)},

@@ -43,6 +43,24 @@ namespace abut
     return by_norm(energy_error(), energy_norm());
   }
 
+  Eigen::VectorXd Estimation::cell_squares(const std::size_t body) const
+  {
+    Eigen::VectorXd squares = errors[body].energy.array().square();
+    if (mismatch)
+      squares += mismatch->cells[body];
+    return squares;
+  }
+
+  std::optional<double> Estimation::contact() const
+  {
+    if (!mismatch)
+      return {};
+    double square = .25 * mismatch->law;
+    for (const double response : mismatch->responses)
+      square += response;
+    return by_norm(std::sqrt(square), energy_norm());
+  }
+
   std::optional<double> Estimation::energy_bound() const
   {
     if (!mismatch)

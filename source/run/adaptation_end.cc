@@ -2,6 +2,7 @@
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/decomposition/spectrum.h>
 #include <abut/run/adaptation_end.h>
+#include <abut/run/tolerance_end.h>
 
 #include <sstream>
 
@@ -37,10 +38,12 @@ namespace abut
       return text.str();
     }
 
-    /// Empty where no limit was asked for or eta is below it, else one sentence that begins with the cause.
+    /// Empty where what was asked for is reached or nothing was, else one sentence that tells the cause.
     std::string limit_message(const Setup &setup, const PassRecord &pass, const std::string &cause)
     {
       const AdaptationParameters &adaptation = setup.scene.adaptation;
+      if (setup.scene.has_tolerance())
+        return missed_tolerance(setup.scene, pass, "The Tolerance is not reached, " + cause);
       if (adaptation.limit == 0. ||
           (*pass.eta_max <= adaptation.limit && !adaptation.combined && pass.n_missed == 0))
         return {};
@@ -63,15 +66,20 @@ namespace abut
   std::optional<AdaptationEnd> adaptation_end(const Setup &setup, const SchemeResult &iteration,
                                               const std::vector<PassRecord> &passes)
   {
-    Assert(setup.scene.adapts() && !passes.empty(), dealii::ExcMessage("nothing has adapted"));
+    Assert(!passes.empty(), dealii::ExcMessage("nothing has adapted"));
     const AdaptationParameters &adaptation = setup.scene.adaptation;
     const PassRecord &pass = passes.back();
+    if (setup.scene.has_tolerance())
+      if (auto end = tolerance_end(setup.scene, pass))
+        return end;
     const bool by_bound = setup.scene.decomposition.stopping_rule == StoppingRule::bound;
     const bool steady = !adaptation.combined ||
                         (by_bound ? pass.iteration : pass.increment) <= setup.scene.decomposition.tolerance;
     if (adaptation.limit > 0. && *pass.eta_max <= adaptation.limit && steady && pass.n_missed == 0)
-      return AdaptationEnd{"limit",
-                           adaptation.combined && !by_bound ? combined_accident(setup, iteration) : ""};
+      return AdaptationEnd{"limit", setup.scene.has_tolerance()
+                                        ? limit_message(setup, pass, "Adaptation/Limit has come first")
+                                    : adaptation.combined && !by_bound ? combined_accident(setup, iteration)
+                                                                       : ""};
     if (passes.size() >= adaptation.maximum_passes)
       return AdaptationEnd{"maximum passes", limit_message(setup, pass, "the maximum of passes has come")};
     if (pass.counts.dofs >= adaptation.maximum_unknowns)

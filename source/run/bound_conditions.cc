@@ -6,8 +6,10 @@ namespace abut
 {
   namespace
   {
-    std::string of_estimator(const AdaptationParameters &parameters)
+    std::string of_estimator(const AdaptationParameters &parameters, const Estimation &estimation)
     {
+      if (!estimation.why_uncertified.empty())
+        return estimation.why_uncertified;
       const std::string reason = parameters.why_not_by_law();
       if (reason.empty() && parameters.boundary_solution == BoundarySolution::constant_traction)
         return coarse_boundary_elements;
@@ -48,10 +50,10 @@ namespace abut
     }
   } // namespace
 
-  std::string why_no_bound(const Scene &scene, const Solution &solution)
+  std::string why_no_bound(const Scene &scene, const Solution &solution, const Estimation &estimation)
   {
     for (const std::string &reason :
-         {of_estimator(scene.adaptation), of_bodies(solution.bodies), of_pairs(solution.pairs)})
+         {of_estimator(scene.adaptation, estimation), of_bodies(solution.bodies), of_pairs(solution.pairs)})
       if (!reason.empty())
         return reason;
     return "";

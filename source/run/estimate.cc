@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/goal_marks.h>
 #include <abut/adaptation/marking.h>
 #include <abut/contact/law_mismatch.h>
 #include <abut/run/estimate.h>
@@ -8,6 +9,12 @@ namespace abut
 {
   namespace
   {
+    void add_to_cells(const Trace &trace, const Eigen::VectorXd &of_segments, Eigen::VectorXd &cells)
+    {
+      for (std::size_t i = 0; i < trace.segments().size(); ++i)
+        cells[trace.segments()[i].cell] += of_segments[static_cast<Eigen::Index>(i)];
+    }
+
     void add_mismatch(const ContactPair &pair, const std::vector<bool> &near,
                       const std::vector<BodyResult> &bodies, ContactMismatch &sum)
     {
@@ -25,6 +32,8 @@ namespace abut
       sum.law += mismatch.law;
       sum.responses[cut.body] += mismatch.cut_response;
       sum.responses[other.body] += mismatch.other_response;
+      add_to_cells(*cut.trace, mismatch.of_cut_segments, sum.cells[cut.body]);
+      add_to_cells(*other.trace, mismatch.of_other_segments, sum.cells[other.body]);
     }
 
     void mark_missed(const Scene &scene, const PairResult &result, const std::vector<BodyResult> &bodies,
@@ -69,7 +78,9 @@ namespace abut
   {
     AssertDimension(pressures.size(), problem.n_pressures());
     AssertDimension(bodies.size(), problem.bodies().size());
-    ContactMismatch sum{0., std::vector<double>(bodies.size(), 0.)};
+    ContactMismatch sum{0., std::vector<double>(bodies.size(), 0.), {}};
+    for (const BodyResult &body : bodies)
+      sum.cells.push_back(Eigen::VectorXd::Zero(body.body->counts().cells));
     for (std::size_t surface = 0; surface < problem.surfaces().size(); ++surface)
     {
       const ContactSurface &parts = problem.surfaces()[surface];
@@ -97,35 +108,102 @@ namespace abut
     }
   } // namespace
 
-  Estimation estimate_solution(const Setup &setup, Solution &solution)
+  double GoalDistance::expected(const Estimation &cheap) const
   {
-    Assert(setup.indicator != nullptr, dealii::ExcMessage("nothing is to be estimated"));
-    const InterfaceProblem &problem = setup.model.problem();
-    const bool by_law = setup.scene.adaptation.estimates_by_law();
-    const Eigen::VectorXd pressures =
-        by_law ? pressures_by_law(problem, solution.iteration) : solution.iteration.traction;
-    for (std::size_t a = 0; a < solution.bodies.size(); ++a)
-      solution.bodies[a].estimate_forces = problem.contact_forces(a, pressures);
-    Estimation estimation = estimate(*setup.indicator, setup.scene.adaptation, solution.bodies);
-    if (by_law)
-      estimation.mismatch = contact_mismatch(problem, pressures, solution.bodies);
-    for (std::size_t a = 0; a < solution.bodies.size(); ++a)
-    {
-      solution.bodies[a].eta = estimation.eta[a];
-      solution.bodies[a].better = estimation.errors[a].better;
-    }
-    return estimation;
+    return ratio_.value_or(1.) * cheap.bound().value_or(cheap.discretisation());
   }
 
-  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,
-                                  const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs)
+  bool GoalDistance::is_near(const Estimation &cheap) const
   {
+    const double margin = ratio_ ? 1.1 : 2.; // jumps have been .7 to 1.8 times the error
+    return expected(cheap) <= margin * tolerance_;
+  }
+
+  void GoalDistance::learn(const Estimation &cheap, const Estimation &better)
+  {
+    if (cheap.bound() && better.bound() && *cheap.bound() > 0.)
+      ratio_ = *better.bound() / *cheap.bound();
+  }
+
+  namespace
+  {
+    Estimation estimate_by(const Indicator &indicator, const Setup &setup, Solution &solution)
+    {
+      const InterfaceProblem &problem = setup.model.problem();
+      const bool by_law = setup.scene.adaptation.estimates_by_law();
+      const Eigen::VectorXd pressures =
+          by_law ? pressures_by_law(problem, solution.iteration) : solution.iteration.traction;
+      for (std::size_t a = 0; a < solution.bodies.size(); ++a)
+        solution.bodies[a].estimate_forces = problem.contact_forces(a, pressures);
+      Estimation estimation = estimate(indicator, setup.scene.adaptation, solution.bodies);
+      if (by_law)
+        estimation.mismatch = contact_mismatch(problem, pressures, solution.bodies);
+      for (std::size_t a = 0; a < solution.bodies.size(); ++a)
+      {
+        solution.bodies[a].eta = estimation.eta[a];
+        solution.bodies[a].better = estimation.errors[a].better;
+      }
+      if (setup.scene.adaptation.certifies())
+        for (const BodyResult &body : solution.bodies)
+          if (estimation.why_uncertified.empty())
+            estimation.why_uncertified = indicator.why_uncertified(*body.body);
+      return estimation;
+    }
+  } // namespace
+
+  Estimation estimate_solution(const Setup &setup, Solution &solution, GoalDistance &distance)
+  {
+    Assert(setup.indicator != nullptr, dealii::ExcMessage("nothing is to be estimated"));
+    Estimation estimation = estimate_by(*setup.indicator, setup, solution);
+    if (setup.certifier == nullptr || !distance.is_near(estimation))
+      return estimation;
+    Estimation better = estimate_by(*setup.certifier, setup, solution);
+    distance.learn(estimation, better);
+    return better;
+  }
+
+  namespace
+  {
+    /// How far the error has to go down; somewhat below the tolerance, since a mesh does not keep all that is
+    /// expected of it.
+    std::vector<CellMarks> marks_for_tolerance(const Scene &scene, const Estimation &estimation,
+                                               const PassRecord &last)
+    {
+      constexpr double safety = .8;
+      std::vector<GoalCells> cells;
+      for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+        cells.push_back({estimation.cell_squares(a), scene.bodies[a].degree, scene.bodies[a].adapt});
+      std::vector<CellMarks> marks;
+      for (std::vector<bool> &split :
+           goal_marks(cells, safety * scene.tolerance / last.error_for_tolerance()).split)
+      {
+        const std::size_t n = split.size();
+        marks.push_back({std::move(split), std::vector<bool>(n, false)});
+      }
+      return marks;
+    }
+
+    std::vector<CellMarks> marks_of_bodies(const Scene &scene, const Estimation &estimation,
+                                           const std::vector<BodyResult> &bodies)
+    {
+      std::vector<CellMarks> marks;
+      for (std::size_t a = 0; a < bodies.size(); ++a)
+        marks.push_back(scene.bodies[a].adapt
+                            ? mark(estimation.errors[a], estimation.eta[a], scene.adaptation)
+                            : no_marks(bodies[a].body->counts().cells));
+      return marks;
+    }
+  } // namespace
+
+  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation, const Results &results)
+  {
+    const std::vector<BodyResult> &bodies = results.bodies;
     AssertDimension(bodies.size(), scene.bodies.size());
-    std::vector<CellMarks> marks;
-    for (std::size_t a = 0; a < bodies.size(); ++a)
-      marks.push_back(scene.bodies[a].adapt ? mark(estimation.errors[a], estimation.eta[a], scene.adaptation)
-                                            : no_marks(bodies[a].body->counts().cells));
-    for (const PairResult &pair : pairs)
+    const bool for_tolerance = Registry<MarkingEntry>::get().find(scene.adaptation.marking).needs_tolerance;
+    std::vector<CellMarks> marks = for_tolerance
+                                       ? marks_for_tolerance(scene, estimation, results.passes.back())
+                                       : marks_of_bodies(scene, estimation, bodies);
+    for (const PairResult &pair : results.pairs)
       mark_missed(scene, pair, bodies, marks);
     for (std::size_t a = 0; a < bodies.size(); ++a)
       if (scene.bodies[a].adapt && scene.bodies[a].joints.mortar.neighbour_rule)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/stopwatch.h>
+#include <abut/run/budget.h>
 #include <abut/run/combined_pass.h>
 #include <abut/run/estimate.h>
 #include <abut/run/evaluate.h>
@@ -7,7 +8,7 @@
 
 namespace abut
 {
-  void Pass::evaluate(PassOutcome &outcome, const InterfaceMotions *const motions) const
+  void Pass::evaluate(PassOutcome &outcome, const InterfaceMotions *const motions)
   {
     Solution &solution = outcome.solution;
     {
@@ -18,8 +19,9 @@ namespace abut
     if (setup_.indicator == nullptr)
       return;
     const Stopwatch watch(outcome.times.estimate);
-    outcome.estimation = estimate_solution(setup_, solution);
+    outcome.estimation = estimate_solution(setup_, solution, goal_distance_);
     outcome.boundary += outcome.estimation.boundary_cost();
+    outcome.budget = error_budget(setup_, outcome.estimation, solution);
   }
 
   std::unique_ptr<Pass> make_pass(const Setup &setup)

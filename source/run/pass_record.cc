@@ -40,15 +40,12 @@ namespace abut
       record.eta_max = estimation.eta_max(setup.scene);
       record.discretisation = estimation.discretisation();
       record.stress = estimation.stress();
-      if (const auto bound = estimation.bound())
-        record.total = bound;
+      record.budget = outcome.budget;
+      record.estimate_reason = why_no_bound(setup.scene, outcome.solution, estimation);
+      if (estimation.mismatch && estimation.why_uncertified.empty())
+        record.total = record.budget.bound();
       else if (std::isfinite(record.iteration))
-        record.total = std::hypot(*record.discretisation, record.iteration);
-      record.budget.discretisation = record.discretisation;
-      record.budget.bounded_part = estimation.bound();
-      if (std::isfinite(record.iteration))
-        record.budget.iteration = record.iteration;
-      record.estimate_reason = why_no_bound(setup.scene, outcome.solution);
+        record.total = record.budget.estimate();
     }
 
     std::optional<double> ratio(const std::optional<double> &estimated, const std::optional<double> &exact)

@@ -19,6 +19,7 @@ namespace abut
     const Stopwatch watch(construction_.mesh);
     model_ = std::make_unique<Model>(scene_, exact_.get());
     indicator_ = make_indicator(scene_.adaptation);
+    certifier_ = make_certifier(scene_.adaptation);
     if (indicator_)
       for (const auto &body : bodies())
         if (!body->description().is_rigid)
@@ -87,14 +88,13 @@ namespace abut
 
   std::optional<CarriedState> Simulation::adapt(const PassOutcome &outcome, Results &results)
   {
-    if (!results.iteration.converged() || !scene_.adapts())
+    if (!results.iteration.converged() || !(scene_.adapts() || scene_.has_tolerance()))
       return {};
     results.adaptation_end = adaptation_end(setup(), results.iteration, results.passes);
     if (results.adaptation_end)
       return {};
     const Stopwatch watch(results.times.adapt);
-    Adapted adapted =
-        model_->adapt(mark_all(scene_, outcome.estimation, results.bodies, results.pairs), outcome.state);
+    Adapted adapted = model_->adapt(mark_all(scene_, outcome.estimation, results), outcome.state);
     if (adapted.some_mesh_changed || scene_.adaptation.combined)
       return std::move(adapted.state);
     results.adaptation_end = no_cell_to_split(setup(), results.passes.back());

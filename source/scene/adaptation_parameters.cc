@@ -69,8 +69,15 @@ namespace abut
         [](const EstimatorEntry &entry) { return entry.has_boundary_elements; }, " or ");
   }
 
+  bool AdaptationParameters::certifies() const
+  {
+    return entry_of(*this).make_certifier != nullptr;
+  }
+
   std::string AdaptationParameters::why_not_by_law() const
   {
+    if (certifies())
+      return {};
     if (!entry_of(*this).has_boundary_elements)
       return "only Estimator = " + estimators_with_boundary_elements() +
              " bounds the error, this one compares the finite elements with themselves";

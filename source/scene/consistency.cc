@@ -2,6 +2,7 @@
 #include <abut/base/user_error.h>
 #include <abut/scene/consistency.h>
 #include <abut/scene/estimator_entry.h>
+#include <abut/scene/marking_entry.h>
 #include <abut/scene/shape_entry.h>
 
 #include <algorithm>
@@ -117,6 +118,30 @@ namespace abut
             "Adaptation/Limit: received a limit, but no body adapts; give one of them Adapt = true");
     }
 
+    /// What needs a tolerance, and what a tolerance needs.
+    void check_tolerance(const Scene &scene)
+    {
+      const AdaptationParameters &adaptation = scene.adaptation;
+      const MarkingEntry &marking = Registry<MarkingEntry>::get().find(adaptation.marking);
+      if (!scene.has_tolerance())
+      {
+        if (adaptation.certifies())
+          throw UserError("Adaptation/Estimator: received `" + adaptation.estimator +
+                          "`, which needs a Tolerance above 0");
+        if (marking.needs_tolerance)
+          throw UserError("Adaptation/Marking: received `" + adaptation.marking +
+                          "`, which needs a Tolerance above 0");
+        return;
+      }
+      if (!Registry<EstimatorEntry>::get().find(adaptation.estimator).estimates())
+        throw UserError("Adaptation/Estimator: received `" + adaptation.estimator +
+                        "` with a Tolerance, which needs an estimate; leave the entry out, or name one");
+      if (adaptation.combined)
+        throw UserError(
+            "Adaptation/Combined: received `true` with a Tolerance; allowed is false, or Tolerance "
+            "= 0, since the combined algorithm has a Limit of its own");
+    }
+
     void check_exact_conditions(const Scene &scene)
     {
       for (const BodyDescription &body : scene.bodies)
@@ -135,6 +160,7 @@ namespace abut
     check_contacts(scene);
     check_resultants(scene);
     check_adaptation(scene);
+    check_tolerance(scene);
     check_exact_conditions(scene);
   }
 } // namespace abut

@@ -6,6 +6,7 @@
 #include <abut/scene/preamble.h>
 #include <abut/scene/scene.h>
 #include <abut/scene/scheme_checks.h>
+#include <abut/scene/tolerance_choices.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -41,8 +42,14 @@ namespace abut
       Preamble::declare_lists(prm);
       prm.declare_entry(
           "Tolerance", "0", dealii::Patterns::Double(0.),
-          "Relative error asked for in the energy norm, no unit; 0: the sections below are followed "
-          "literally. Only 0 in this version.");
+          "Relative error asked for, no unit: the run chooses degrees, meshes, marking, estimator and the "
+          "accuracy of the iteration, and ends when the error is estimated to be below. Entries that are "
+          "given below are kept. 0: the sections below are followed literally.");
+      prm.declare_entry(
+          "Goal", "energy", dealii::Patterns::Anything(),
+          "What Tolerance belongs to. energy: the displacement of all bodies in the energy norm. force: the "
+          "normal force of all contacts. peak pressure: the largest contact pressure. stress at (x, y): the "
+          "von Mises stress at a point of the undeformed bodies.");
     }
 
     /// What has to be known before the sections of bodies and contacts can be declared.
@@ -128,16 +135,20 @@ namespace abut
       check_parts_used(scene, part_names);
     }
 
-    void check_tolerance(const ParameterHandler &prm)
+    void parse_tolerance(const ParameterHandler &prm, Scene &scene)
     {
-      if (prm.get_double("Tolerance") != 0.)
+      scene.tolerance = prm.get_double("Tolerance");
+      scene.goal = Goal::parse(prm.get("Goal"));
+      if (!(scene.tolerance < 1.))
         throw UserError("Tolerance: received `" + prm.get("Tolerance") +
-                        "`, allowed is 0: tolerance-driven runs are not available in this version");
+                        "`, allowed are numbers below 1 (0.01 for one per cent)");
+      if (!scene.has_tolerance() && !scene.goal.is_energy())
+        throw UserError("Goal: received `" + prm.get("Goal") +
+                        "` without a Tolerance; allowed is energy, or a Tolerance above 0");
     }
 
     void parse_rest(const ParameterSections &sections, const Preamble &preamble, Scene &scene)
     {
-      sections.parse("", check_tolerance);
       scene.finds_contacts = preamble.finds_contacts;
       scene.contact_distance =
           sections.parse("", [](const ParameterHandler &prm) { return prm.get_double("Contact distance"); });
@@ -195,6 +206,9 @@ namespace abut
       sections.declare(other_sections(preamble.bodies, preamble.contacts, preamble.materials, parts));
       sections.set(lines, false);
       check_body_sections(lines, preamble.bodies);
+      sections.parse("", [&](const ParameterHandler &prm) { parse_tolerance(prm, scene); });
+      if (scene.has_tolerance())
+        choose_for_tolerance({scene.tolerance, preamble.bodies, parts}, lines, sections);
 
       parse_bodies(sections, preamble, parts, input.directory(), scene);
       parse_rest(sections, preamble, scene);

@@ -6,6 +6,7 @@
 #include <abut/scene/adaptation_parameters.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace abut
@@ -31,7 +32,13 @@ namespace abut
     virtual CellErrors estimate(const BodySolution &solution) const = 0;
     /// Throws UserError, beginning with the body's name, for a body that the indicator is not made for.
     virtual void check(const Body &) const {}
+    /// Why the estimate of a body is not that of boundary elements, which bound the error: one sentence,
+    /// without the full stop; empty where it is.
+    virtual std::string why_uncertified(const Body &) const { return "it compares the body with itself"; }
   };
+
+  /// What estimates again where the goal is near; null but for `automatic`.
+  std::unique_ptr<Indicator> make_certifier(const AdaptationParameters &parameters);
 
   /// The indicator that a scene asks for; null where nothing is estimated.
   std::unique_ptr<Indicator> make_indicator(const AdaptationParameters &parameters);

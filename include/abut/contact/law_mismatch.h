@@ -36,6 +36,8 @@ namespace abut
      * the continuous functions of degree d on equal segments has k >= pi d/h.
      */
     double cut_response = 0., other_response = 0.;
+    /// Where it comes from, by segment of either side: half of `law` for each, and the response.
+    Eigen::VectorXd of_cut_segments, of_other_segments;
   };
 
   /// `near`: for every part of the surface whether it presses or is next to one that does.

@@ -20,16 +20,17 @@ namespace abut
    */
   struct ErrorBudget
   {
-    std::optional<double> discretisation; ///< meshes and elements, contact included
+    std::optional<double> discretisation; ///< of every body under its own traction: b of Estimation
+    std::optional<double> contact;        ///< what the sides of contacts miss of the contact law
     std::optional<double> iteration;      ///< of the interface problem
     std::optional<double> penalty;        ///< exact contact: 0
     std::optional<double> linear_algebra; ///< round-off in the bodies' equations
     std::optional<double> geometry;       ///< edges of cells against the curves that they stand for
-    /// Discretisation and iteration together, where boundary elements say so (Estimation::bound).
+    /// Discretisation, contact and iteration together, where boundary elements say so (Estimation::bound).
     std::optional<double> bounded_part;
 
-    /// discretisation, iteration, penalty, linear_algebra, geometry, with 0 for what is not estimated.
-    std::array<ErrorPart, 5> parts() const;
+    /// All, with 0 for what is not estimated.
+    std::array<ErrorPart, 6> parts() const;
     /// Root of the sum of squares; empty without a discretisation error.
     std::optional<double> estimate() const;
     /// The sum, in which `bounded_part` stands for what it bounds; empty without one.

@@ -13,6 +13,8 @@ namespace abut
   {
     double law = 0.;               ///< kappa^2
     std::vector<double> responses; ///< of every body, to what its trace does not carry
+    /// Of every body, by active cell: half of the law's part at the cell's edges, and the response.
+    std::vector<Eigen::VectorXd> cells;
   };
 
   /// What an indicator says of all bodies in one pass.
@@ -24,7 +26,21 @@ namespace abut
     /// Of `bound`; empty where the estimate is not against the contact law's own pressures.
     std::optional<ContactMismatch> mismatch;
 
+    /// Estimator = automatic: why this is not the estimate of boundary elements for all bodies; empty where
+    /// it is, and with other estimators.
+    std::string why_uncertified;
+
     double discretisation() const; ///< relative, energy norm, all bodies: b
+    /**
+     * Squared energy norms of the errors of a body's cells, the contact's included: what marking for the
+     * energy norm goes by.
+     */
+    Eigen::VectorXd cell_squares(std::size_t body) const;
+    /**
+     * What b misses in contact, relative: the root of the responses and kappa^2/4. The quarter is calibrated:
+     * against exact solutions what b misses has been .3 to 1.2 kappa (convergence_estimator, BudgetStudy).
+     */
+    std::optional<double> contact() const;
     /**
      * Discretisation and iteration in one, energy norm: the error of the displacement u_h against the
      * solution of the (penalised) contact problem is at most

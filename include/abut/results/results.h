@@ -113,6 +113,15 @@ namespace abut
     PassCost cost;
     double seconds = 0.; ///< since the run began, without comparing with the exact solution
 
+    /// What has to be below the tolerance: the bound, or the estimate with what it has been too small by.
+    /// Infinite where nothing is estimated.
+    double error_for_tolerance() const
+    {
+      constexpr double safety = 1.25;
+      if (!total)
+        return std::numeric_limits<double>::infinity();
+      return error_is_bound() ? *total : safety * *total;
+    }
     bool error_is_bound() const { return total && estimate_reason.empty(); }
     /// Estimated stress error by that against sigma*.
     std::optional<double> effectivity() const

@@ -16,15 +16,30 @@ namespace abut
   ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,
                                    const std::vector<BodyResult> &bodies);
 
+  /// Whether the goal of a scene with a tolerance is near, by cheap estimates.
+  class GoalDistance
+  {
+  public:
+    explicit GoalDistance(const double tolerance) : tolerance_(tolerance) {}
+    bool is_near(const Estimation &cheap) const;
+    /// Learns what cheap estimates are worth from a better one of the same solution.
+    void learn(const Estimation &cheap, const Estimation &better);
+    /// An estimate's bound, or what a better one would say.
+    double expected(const Estimation &cheap) const;
+
+  private:
+    double tolerance_;
+    std::optional<double> ratio_; ///< better by cheap
+  };
+
   /// The estimate that the scene asks for, of a whole solution; sets what the bodies keep of it
   /// (`estimate_forces`, `eta`, `better`). The setup has an indicator.
-  Estimation estimate_solution(const Setup &setup, Solution &solution);
+  Estimation estimate_solution(const Setup &setup, Solution &solution, GoalDistance &distance);
 
   /**
-   * The cells to be changed, body by body: those that the marking of the scene chooses in bodies that adapt,
-   * and the cells on both sides of contact that is smaller than a cell (`PairResult::missed`).
+   * The cells to be changed after the last pass, body by body: those that the marking of the scene chooses in
+   * bodies that adapt, and the cells on both sides of contact that is smaller than a cell
+   * (`PairResult::missed`).
    */
-  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation,
-                                  const std::vector<BodyResult> &bodies,
-                                  const std::vector<PairResult> &pairs);
+  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation, const Results &results);
 } // namespace abut

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/decomposition/interface_motions.h>
+#include <abut/run/estimate.h>
 #include <abut/run/model.h>
 #include <abut/run/observer.h>
 #include <abut/run/setup.h>
@@ -16,6 +17,7 @@ namespace abut
   {
     Solution solution;
     Estimation estimation; ///< empty where nothing is estimated
+    ErrorBudget budget;    ///< likewise
     CarriedState state;    ///< what the next mesh is to start from
     Times times;
     BoundaryCost boundary; ///< seconds of all estimates, sizes of one
@@ -37,12 +39,15 @@ namespace abut
     virtual std::vector<std::string> dropped_loads() const { return {}; }
 
   protected:
-    explicit Pass(const Setup &setup) : setup_(setup) {}
+    explicit Pass(const Setup &setup) : setup_(setup), goal_distance_(setup.scene.tolerance) {}
     /// Adds the bodies, pairs and the estimate that belong to the outcome's iteration. `motions`: those that
     /// the iteration has amplitudes of; null where it has none.
-    void evaluate(PassOutcome &outcome, const InterfaceMotions *motions) const;
+    void evaluate(PassOutcome &outcome, const InterfaceMotions *motions);
 
     const Setup setup_;
+
+  private:
+    GoalDistance goal_distance_;
   };
 
   /// The pass that a scene asks for. All of the setup must outlive it.

@@ -12,6 +12,7 @@ namespace abut
     const Scene &scene;
     const Model &model;
     const Indicator *indicator = nullptr; ///< null: nothing is estimated
+    const Indicator *certifier = nullptr; ///< what estimates again where the goal is near; null: nothing does
     const ExactSolution *exact = nullptr; ///< null: none is known
   };
 } // namespace abut

@@ -43,7 +43,7 @@ namespace abut
     const std::vector<const ContactPair *> &pairs() const { return model_->pairs(); }
 
   private:
-    Setup setup() const { return {scene_, *model_, indicator_.get(), exact_.get()}; }
+    Setup setup() const { return {scene_, *model_, indicator_.get(), certifier_.get(), exact_.get()}; }
     /// Prepares the bodies, then makes the pass.
     PassOutcome solve(Pass &pass, const std::optional<CarriedState> &carried, const RunObserver &observer);
     /// Adds the solution, record and times of a pass. `carried`: what it started from.
@@ -57,6 +57,6 @@ namespace abut
     Times construction_; ///< what the constructor took
     std::unique_ptr<ExactSolution> exact_;
     std::unique_ptr<Model> model_;
-    std::unique_ptr<Indicator> indicator_;
+    std::unique_ptr<Indicator> indicator_, certifier_;
   };
 } // namespace abut

@@ -54,6 +54,8 @@ namespace abut
     /// where it does, with boundary elements. Else it refers to the pressures that the displacement answers;
     /// also in the combined algorithm, as in the paper.
     std::string why_not_by_law() const;
+    /// `Estimator = automatic`.
+    bool certifies() const;
     bool estimates_by_law() const { return why_not_by_law().empty(); }
 
     static void declare(dealii::ParameterHandler &prm);

@@ -30,6 +30,8 @@ namespace abut
     std::string name, documentation;
     /// Null: nothing is estimated.
     std::unique_ptr<Indicator> (*make)(const AdaptationParameters &parameters) = nullptr;
+    /// Of `automatic`: what estimates again where the goal is near. Null for the others.
+    std::unique_ptr<Indicator> (*make_certifier)(const AdaptationParameters &parameters) = nullptr;
     std::vector<EstimatorWorth> worth = {}; ///< for degrees 1, 2, ...; fewer where it is not known
     /// Boundary elements answer the same data: their stress is in balance, which bounds the error.
     bool has_boundary_elements = false;

@@ -5,6 +5,7 @@
 #include <abut/scene/body_description.h>
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
+#include <abut/scene/goal.h>
 #include <abut/scene/reference_parameters.h>
 #include <abut/scene/repeated_parameters.h>
 #include <abut/scene/study_parameters.h>
@@ -25,6 +26,8 @@ namespace abut
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
     bool finds_contacts = false;  ///< `Contacts = automatic`: the list is empty, see with_found_contacts
     double contact_distance = 0.; ///< for that; 0: a hundredth of the smallest body
+    double tolerance = 0.;        ///< error asked for, relative; 0: the sections are followed literally
+    Goal goal;                    ///< that it belongs to
     DecompositionParameters decomposition;
     AdaptationParameters adaptation;
     ReferenceParameters reference;
@@ -48,5 +51,6 @@ namespace abut
 
     /// Whether the mesh of some body follows the estimated error.
     bool adapts() const;
+    bool has_tolerance() const { return tolerance > 0.; }
   };
 } // namespace abut

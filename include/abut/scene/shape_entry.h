@@ -34,6 +34,9 @@ namespace abut
     /// far as it can); both numbers of Cells are at least 1. Boundary ids count the sides in the order of the
     /// documentation. Throws UserError where cells or sizes do not fit the shape.
     RawMesh (*make)(const BodyDescription &body) = nullptr;
+    /// Cells of the coarsest mesh whose cells are about as long as wide, for numbers of Size above 0 in their
+    /// order. Null where the shape makes cells of its own.
+    std::array<unsigned int, 2> (*coarse_cells)(const std::vector<double> &size) = nullptr;
     /// Gives the triangulation of the placed body the curves of its sides, so that refinement and mappings of
     /// higher degree follow them. Null without curves.
     void (*attach_curves)(dealii::Triangulation<2, 2> &triangulation, const BodyDescription &body) = nullptr;

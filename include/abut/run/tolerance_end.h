@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/results/results.h>
+#include <abut/scene/scene.h>
+
+#include <optional>
+
+namespace abut
+{
+  /// Whether a scene with a Tolerance has reached it with the last pass, or cannot by more cells; empty where
+  /// the next mesh may.
+  std::optional<AdaptationEnd> tolerance_end(const Scene &scene, const PassRecord &last);
+
+  /// What to tell where a run with a Tolerance ends without it. `cause`: how the sentence begins.
+  std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause);
+} // namespace abut

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/goal_marks.h>
+#include <abut/adaptation/marking.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    /// The share of the squared error that the cells of one step carry at most.
+    constexpr double most_in_a_step = .9;
+    constexpr double least_kept = .125; // cells at a singular point gain less than smooth ones
+
+    struct GoalCell
+    {
+      std::size_t body, index;
+      double square, gain; ///< of the square, by splitting
+    };
+
+    std::vector<GoalCell> cells_that_adapt(const std::vector<GoalCells> &bodies)
+    {
+      std::vector<GoalCell> cells;
+      for (std::size_t a = 0; a < bodies.size(); ++a)
+        if (bodies[a].adapts)
+          for (Eigen::Index i = 0; i < bodies[a].squares.size(); ++i)
+          {
+            const double kept = std::max(least_kept, std::pow(4., -double(bodies[a].degree)));
+            cells.push_back(
+                {a, static_cast<std::size_t>(i), bodies[a].squares[i], (1. - kept) * bodies[a].squares[i]});
+          }
+      std::stable_sort(cells.begin(), cells.end(),
+                       [](const GoalCell &a, const GoalCell &b) { return a.square > b.square; });
+      return cells;
+    }
+  } // namespace
+
+  GoalMarks goal_marks(const std::vector<GoalCells> &bodies, const double aim)
+  {
+    GoalMarks marks;
+    double total = 0.;
+    for (const GoalCells &body : bodies)
+    {
+      marks.split.emplace_back(body.squares.size(), false);
+      total += body.squares.sum();
+    }
+    marks.n_split.assign(bodies.size(), 0);
+    const std::vector<GoalCell> cells = cells_that_adapt(bodies);
+    double carried = 0., left = total, last = 0.;
+    for (const GoalCell &cell : cells)
+    {
+      const bool enough = carried >= most_in_a_step * total || left <= aim * aim * total;
+      if (!(cell.square > 0.) || (enough && cell.square < (1. - 1e-6) * last))
+        break;
+      marks.split[cell.body][cell.index] = true;
+      ++marks.n_split[cell.body];
+      carried += cell.square;
+      left -= cell.gain;
+      last = cell.square;
+    }
+    marks.expected = total > 0. ? std::sqrt(std::max(left, 0.) / total) : 0.;
+    return marks;
+  }
+} // namespace abut
