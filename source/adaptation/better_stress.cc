@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cmath>
+#include <map>
 
 namespace abut
 {
@@ -35,5 +36,24 @@ namespace abut
     errors.stress_norm = std::sqrt(errors.stress_norm);
     errors.energy_norm = std::sqrt(errors.energy_norm);
     return errors;
+  }
+
+  void compare_at_corners(const BodySolution &solution, const std::vector<Stress> &better, CellErrors &errors)
+  {
+    const std::vector<CellInfo> cells = solution.body.cells();
+    std::map<unsigned int, std::pair<double, double>> squares; // of the stress and of the energy, by cell
+    std::size_t i = 0;
+    solution.body.visit_corner_stress(solution.deformation, [&](const SamplePoint &point, const Stress &own) {
+      AssertIndexRange(i, better.size());
+      const Stress difference = better[i++] - own;
+      squares[point.cell].first += point.weight * difference.square();
+      squares[point.cell].second += point.weight * cells[point.cell].material.energy_density(difference);
+    });
+    for (const auto &[cell, square] : squares)
+    {
+      errors.stress[cell] = std::sqrt(square.first);
+      errors.energy[cell] = std::sqrt(square.second);
+    }
+    errors.better_at_corners = better;
   }
 } // namespace abut

@@ -37,7 +37,20 @@ namespace abut
     const auto model = model_of(solution.body, cost);
     cost.elements = model->n_elements();
     cost.unknowns = model->n_unknowns();
-    CellErrors errors = compare(solution, model->stress(solution, cost));
+    std::vector<SamplePoint> points, at_corners;
+    solution.body.visit_stress(solution.deformation, SamplePoints::comparison,
+                               [&](const SamplePoint &point, const Stress &) { points.push_back(point); });
+    solution.body.visit_corner_stress(
+        solution.deformation, [&](const SamplePoint &point, const Stress &) { at_corners.push_back(point); });
+    const std::size_t n = points.size();
+    points.insert(points.end(), at_corners.begin(), at_corners.end());
+    std::vector<Stress> better = model->stress(solution, points, cost);
+    const std::vector<Stress> better_at_corners(better.begin() + static_cast<std::ptrdiff_t>(n),
+                                                better.end());
+    better.resize(n);
+    CellErrors errors = compare(solution, better);
+    if (!better_at_corners.empty())
+      compare_at_corners(solution, better_at_corners, errors);
     errors.boundary = cost;
     return errors;
   }

@@ -46,6 +46,28 @@ namespace abut
       return squares;
     }
 
+    /// The same in the cells at singular vertices, in place of what Gauss points found there.
+    void add_corners(const OwnStress &exact, const BodyResult &result, const std::vector<Stress> &better,
+                     CellSquares &squares)
+    {
+      if (better.empty())
+        return;
+      const Placement &placement = result.body->description().placement;
+      const std::vector<StressSample> samples = corner_samples(result);
+      AssertDimension(samples.size(), better.size());
+      const std::vector<Stress> stresses = at_samples(exact, samples);
+      for (const StressSample &sample : samples)
+        squares.computed[static_cast<Index>(sample.cell)] = squares.better[static_cast<Index>(sample.cell)] =
+            0.;
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        const auto cell = static_cast<Index>(samples[i].cell);
+        squares.computed[cell] += samples[i].weight * (samples[i].computed - stresses[i]).square();
+        squares.better[cell] +=
+            samples[i].weight * (in_own_frame(better[i], placement) - stresses[i]).square();
+      }
+    }
+
     /// Places between a part that presses and one that does not.
     std::vector<Vector2> contact_ends(const std::vector<PairResult> &pairs)
     {
@@ -150,8 +172,9 @@ namespace abut
       if (!response)
         return {};
       const CellErrors &errors = estimation.errors[a];
-      add_body(bodies[a], errors, cell_squares(response, bodies[a], errors.stress.size(), errors.better),
-               ends, quality, lists);
+      CellSquares squares = cell_squares(response, bodies[a], errors.stress.size(), errors.better);
+      add_corners(response, bodies[a], errors.better_at_corners, squares);
+      add_body(bodies[a], errors, squares, ends, quality, lists);
     }
     quality.pearson = correlation(lists.estimated, lists.computed, false);
     quality.spearman = correlation(lists.estimated, lists.computed, true);

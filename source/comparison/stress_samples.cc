@@ -7,19 +7,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace abut
 {
+  namespace
+  {
+    /// Appends what is visited.
+    StressVisitor collector(const BodyResult &result, std::vector<StressSample> &samples)
+    {
+      const Placement &placement = result.body->description().placement;
+      return [&](const SamplePoint &point, const Stress &stress) {
+        samples.push_back(
+            {point.cell, placement.point_to_own(point.place), point.weight, in_own_frame(stress, placement)});
+      };
+    }
+  } // namespace
+
   std::vector<StressSample> stress_samples(const BodyResult &result, const SamplePoints points)
   {
     AssertDimension(static_cast<std::size_t>(result.deformation.size()), result.body->counts().dofs);
-    const Placement &placement = result.body->description().placement;
     std::vector<StressSample> samples;
-    result.body->visit_stress(result.deformation, points,
-                              [&](const SamplePoint &point, const Stress &stress) {
-                                samples.push_back({point.cell, placement.point_to_own(point.place),
-                                                   point.weight, in_own_frame(stress, placement)});
-                              });
+    result.body->visit_stress(result.deformation, points, collector(result, samples));
+    return samples;
+  }
+
+  std::vector<StressSample> corner_samples(const BodyResult &result)
+  {
+    std::vector<StressSample> samples;
+    result.body->visit_corner_stress(result.deformation, collector(result, samples));
+    return samples;
+  }
+
+  std::vector<StressSample> precise_samples(const BodyResult &result)
+  {
+    std::vector<StressSample> samples = stress_samples(result, SamplePoints::precise);
+    const std::vector<StressSample> corners = corner_samples(result);
+    std::set<unsigned int> cells;
+    for (const StressSample &sample : corners)
+      cells.insert(sample.cell);
+    samples.erase(std::remove_if(samples.begin(), samples.end(),
+                                 [&](const StressSample &sample) { return cells.count(sample.cell) > 0; }),
+                  samples.end());
+    samples.insert(samples.end(), corners.begin(), corners.end());
     return samples;
   }
 

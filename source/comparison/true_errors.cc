@@ -27,7 +27,7 @@ namespace abut
 
     Squares compare(const OwnStress &exact, const BodyResult &result)
     {
-      const std::vector<StressSample> samples = stress_samples(result, SamplePoints::precise);
+      const std::vector<StressSample> samples = precise_samples(result);
       const Material material = result.body->material();
       const std::vector<Stress> stresses = at_samples(exact, samples);
       Squares squares;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/interface_solver.h>
+#include <abut/decomposition/penalty_sensitivity.h>
 #include <abut/decomposition/schemes/initial_guess.h>
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/decomposition/spectrum.h>
@@ -45,6 +46,11 @@ namespace abut
     if (from)
       (*from)(held_->indices()).setZero();
     return solve_from(held_->opened(loads), from);
+  }
+
+  double InterfaceSolver::penalty_energy(const Eigen::VectorXd &pressures) const
+  {
+    return abut::penalty_energy(problem_, *compliance_, motions(), pressures);
   }
 
   SchemeResult InterfaceSolver::limit(const InterfaceProblem::Loads &loads,

@@ -40,7 +40,7 @@ namespace abut
             cell(found.eta_max),
             exact_number(row.step.increment),
             cell(found.discretisation),
-            {}, // error_penalty
+            cell(found.budget.penalty),
             exact_number(row.step.bound),
             cell(found.total),
             cell(found.true_errors.energy),
@@ -58,7 +58,12 @@ namespace abut
             cell(estimate ? estimate->bound : none),
             cell(estimate ? estimate->true_error : none),
             cell(estimate ? estimate->ratio : none),
-            cell(estimate ? estimate->bound_ratio : none)};
+            cell(estimate ? estimate->bound_ratio : none),
+            cell(found.budget.contact),
+            cell(found.budget.linear_algebra),
+            cell(found.budget.geometry),
+            cell(found.budget.bound()),
+            cell(found.budget.estimate())};
   }
 
   std::string History::csv() const
@@ -90,7 +95,12 @@ namespace abut
                "step_bound",
                "step_true_error",
                "step_discretisation_ratio",
-               "step_bound_ratio"},
+               "step_bound_ratio",
+               "error_contact",
+               "error_linear_algebra",
+               "error_geometry",
+               "error_bound",
+               "error_estimate"},
               out);
     for (const Row &row : rows_)
       write_row(cells(row), out);

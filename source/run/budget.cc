@@ -5,7 +5,27 @@
 
 namespace abut
 {
-  ErrorBudget error_budget(const Setup & /*setup*/, const Estimation &estimation, const Solution &solution)
+  namespace
+  {
+    /// Relative; nothing where the square is none.
+    std::optional<double> relative_root(const double square, const double norm)
+    {
+      if (!std::isfinite(square) || !(norm > 0.))
+        return {};
+      return std::sqrt(std::max(square, 0.)) / norm;
+    }
+
+    double norm_of_solution(const std::vector<BodyResult> &bodies)
+    {
+      double energy = 0.;
+      for (const BodyResult &body : bodies)
+        energy += 2. * body.energy;
+      return std::sqrt(energy);
+    }
+  } // namespace
+
+  ErrorBudget error_budget(const Solution &solution, const Estimation &estimation,
+                           const std::optional<double> &penalty_energy)
   {
     ErrorBudget budget;
     budget.discretisation = estimation.discretisation();
@@ -13,6 +33,17 @@ namespace abut
     budget.bounded_part = estimation.bound();
     if (std::isfinite(solution.iteration.iteration_error))
       budget.iteration = solution.iteration.iteration_error;
+    double round_off = 0., geometry = 0.;
+    for (const BodyResult &body : solution.bodies)
+    {
+      round_off += body.body->round_off_energy(body.deformation, body.contact_forces);
+      geometry += body.body->geometry_energy(body.deformation);
+    }
+    const double norm = norm_of_solution(solution.bodies);
+    budget.linear_algebra = relative_root(round_off, norm);
+    budget.geometry = relative_root(geometry, norm);
+    if (penalty_energy)
+      budget.penalty = relative_root(*penalty_energy, norm);
     return budget;
   }
 } // namespace abut

@@ -116,7 +116,7 @@ namespace abut
   bool GoalDistance::is_near(const Estimation &cheap) const
   {
     const double margin = ratio_ ? 1.1 : 2.; // jumps have been .7 to 1.8 times the error
-    return expected(cheap) <= margin * tolerance_;
+    return expected(cheap) <= margin * tolerance_ || cheap.discretisation() <= tolerance_;
   }
 
   void GoalDistance::learn(const Estimation &cheap, const Estimation &better)

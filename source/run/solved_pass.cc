@@ -139,6 +139,13 @@ namespace abut
     solution.iteration = solver_->solve(setup_.model.problem().loads(0.), start, observer, tolerance);
   }
 
+  std::optional<double> SolvedPass::penalty_energy(const Eigen::VectorXd &pressures) const
+  {
+    if (setup_.scene.reference.contact == ReferenceParameters::Contact::penalised)
+      return {}; // the penalised problem's own solution is what is looked for
+    return solver_->penalty_energy(pressures);
+  }
+
   std::optional<LimitDistance> SolvedPass::limit_distance(const Solution &solution) const
   {
     return abut::limit_distance(setup_.model.problem(), *solver_, solution);

@@ -21,7 +21,8 @@ namespace abut
     double energy_norm = 0.; ///< and its energy norm
     /// The better stress at SamplePoints::comparison; empty for kelly, which has none.
     std::vector<Stress> better;
-    BoundaryCost boundary; ///< of fe-be
+    std::vector<Stress> better_at_corners; ///< and at Body::visit_corner_stress's; fe-be
+    BoundaryCost boundary;                 ///< of fe-be
   };
 
   /// Estimates the error of a body's stress in each cell from the body's solution alone.

@@ -116,6 +116,12 @@ namespace abut
     /// a body without.
     virtual double condition() const = 0;
     virtual double strain_energy(const Eigen::VectorXd &deformation) const = 0;
+    /// Squared energy norm of what a deformation misses of the solution of the body's own equations.
+    virtual double round_off_energy(const Eigen::VectorXd &deformation,
+                                    const Eigen::VectorXd &contact_forces) const = 0;
+    /// Squared energy norm, estimated, of what edges of cells change that are not the curves they stand for:
+    /// their stresses act along other normals. Zero for straight sides, NaN where the curve is not known.
+    virtual double geometry_energy(const Eigen::VectorXd &deformation) const = 0;
 
     // Its fields.
     /// The values of a field on the contact sides, a trace vector.
@@ -130,6 +136,10 @@ namespace abut
                                     const DisplacementVisitor &visitor) const = 0;
     virtual void visit_stress(const Eigen::VectorXd &deformation, SamplePoints points,
                               const StressVisitor &visitor) const = 0;
+    /// In the cells at `singular_vertices`, at points that crowd towards them: for integrals that Gauss
+    /// points miss. These cells only.
+    virtual void visit_corner_stress(const Eigen::VectorXd &deformation,
+                                     const StressVisitor &visitor) const = 0;
     /// At a point of the undeformed body (world frame). Throws UserError for a point outside.
     virtual Vector2 displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const = 0;
     virtual OutputPatches output_patches(const OutputFields &fields) const = 0;

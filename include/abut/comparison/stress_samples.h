@@ -20,6 +20,12 @@ namespace abut
   /// Cell by cell. The body has been solved: `deformation` is that of all its unknowns.
   std::vector<StressSample> stress_samples(const BodyResult &result, SamplePoints points);
 
+  /// The same at Body::visit_corner_stress's points: none but in the cells at singular vertices.
+  std::vector<StressSample> corner_samples(const BodyResult &result);
+
+  /// The samples of all cells but those at singular vertices, then the corner samples there.
+  std::vector<StressSample> precise_samples(const BodyResult &result);
+
   /// A stress of the plane in the own frame of a body.
   Stress in_own_frame(const Stress &stress, const Placement &placement);
 

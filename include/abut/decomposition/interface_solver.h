@@ -29,6 +29,9 @@ namespace abut
     /// more than some ten seconds.
     SchemeResult limit(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &start) const;
 
+    /// See abut::penalty_energy.
+    double penalty_energy(const Eigen::VectorXd &pressures) const;
+
     const InterfaceCompliance &compliance() const { return *compliance_; }
     /// Null for a scheme that takes none.
     const MotionTerms *motions() const { return system_ ? &system_->motions : nullptr; }

@@ -4,10 +4,11 @@
 #include <abut/results/error_budget.h>
 #include <abut/results/estimation.h>
 #include <abut/results/results.h>
-#include <abut/run/setup.h>
 
 namespace abut
 {
-  /// The parts of a solution's error but for the penalty's, which the interface solver knows.
-  ErrorBudget error_budget(const Setup &setup, const Estimation &estimation, const Solution &solution);
+  /// The parts of a solution's error. `penalty_energy`: squared energy norm of what a penalty changes; empty
+  /// where that is not known, or no error.
+  ErrorBudget error_budget(const Solution &solution, const Estimation &estimation,
+                           const std::optional<double> &penalty_energy);
 } // namespace abut

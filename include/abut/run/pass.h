@@ -44,6 +44,10 @@ namespace abut
     /// the iteration has amplitudes of; null where it has none.
     void evaluate(PassOutcome &outcome, const InterfaceMotions *motions);
 
+    /// Squared energy norm of what the penalty changes of a solution with these pressures; empty where that
+    /// is not at hand or no error.
+    virtual std::optional<double> penalty_energy(const Eigen::VectorXd & /*pressures*/) const { return {}; }
+
     const Setup setup_;
 
   private:

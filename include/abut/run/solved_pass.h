@@ -19,6 +19,9 @@ namespace abut
     std::optional<LimitDistance> limit_distance(const Solution &solution) const override;
     std::vector<std::string> dropped_loads() const override;
 
+  protected:
+    std::optional<double> penalty_energy(const Eigen::VectorXd &pressures) const override;
+
   private:
     double first_tolerance() const;
     /// Empty where the iteration error has its share of the discretisation error, else the tolerance that

@@ -21,22 +21,22 @@ namespace abut
     }
   }
 
-  std::vector<Stress> BoundaryModels::stress(const BodySolution &solution, BoundaryCost &cost) const
+  std::vector<Stress> BoundaryModels::stress(const BodySolution &solution,
+                                             const std::vector<SamplePoint> &points, BoundaryCost &cost) const
   {
     std::vector<std::vector<Vector2>> places(models_.size());
-    std::vector<std::size_t> order; // the piece of every point
-    solution.body.visit_displacement(solution.deformation, SamplePoints::comparison,
-                                     [&](const SamplePoint &point, const Vector2 &, const Eigen::Matrix2d &) {
-                                       order.push_back(piece_of_[point.cell]);
-                                       places[order.back()].push_back(point.place);
-                                     });
+    for (const SamplePoint &point : points)
+      places[piece_of_[point.cell]].push_back(point.place);
     std::vector<std::vector<Stress>> found;
     for (std::size_t piece = 0; piece < models_.size(); ++piece)
       found.push_back(models_[piece]->stress(solution, places[piece], cost));
     std::vector<std::size_t> next(models_.size(), 0);
     std::vector<Stress> stresses;
-    for (const std::size_t piece : order)
+    for (const SamplePoint &point : points)
+    {
+      const std::size_t piece = piece_of_[point.cell];
       stresses.push_back(found[piece][next[piece]++]);
+    }
     return stresses;
   }
 

@@ -13,8 +13,9 @@ namespace abut
     /// The body must outlive the object, which is that of its present mesh. Throws ComputationError.
     BoundaryModels(const FiniteElementBody &body, BoundarySolution kind);
 
-    /// sigma_B at SamplePoints::comparison, in their order. Adds to the cost. Throws ComputationError.
-    std::vector<Stress> stress(const BodySolution &solution, BoundaryCost &cost) const;
+    /// sigma_B at points of the body. Adds to the cost. Throws ComputationError.
+    std::vector<Stress> stress(const BodySolution &solution, const std::vector<SamplePoint> &points,
+                               BoundaryCost &cost) const;
     Eigen::Index n_elements() const;
     Eigen::Index n_unknowns() const;
 

@@ -64,6 +64,9 @@ namespace abut
     double condition() const override;
     /// u . K u / 2.
     double strain_energy(const Eigen::VectorXd &deformation) const override;
+    double round_off_energy(const Eigen::VectorXd &deformation,
+                            const Eigen::VectorXd &contact_forces) const override;
+    double geometry_energy(const Eigen::VectorXd &deformation) const override;
 
     Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const override
     {
@@ -79,6 +82,7 @@ namespace abut
                             const DisplacementVisitor &visitor) const override;
     void visit_stress(const Eigen::VectorXd &deformation, SamplePoints points,
                       const StressVisitor &visitor) const override;
+    void visit_corner_stress(const Eigen::VectorXd &deformation, const StressVisitor &visitor) const override;
     Vector2 displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const override;
     OutputPatches output_patches(const OutputFields &fields) const override;
 

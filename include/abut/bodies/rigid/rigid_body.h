@@ -67,7 +67,10 @@ namespace abut
                             const Eigen::VectorXd &contact_forces) const override;
     double condition() const override { return std::numeric_limits<double>::quiet_NaN(); }
     double strain_energy(const Eigen::VectorXd &) const override { return 0.; }
+    double round_off_energy(const Eigen::VectorXd &, const Eigen::VectorXd &) const override { return 0.; }
+    double geometry_energy(const Eigen::VectorXd &) const override { return 0.; }
 
+    void visit_corner_stress(const Eigen::VectorXd &, const StressVisitor &) const override {}
     Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const override;
     Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const override;
     Eigen::VectorXd prescribed_trace() const override { return trace_of(fixed_); }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/decomposition/compliance.h>
+#include <abut/decomposition/motion_terms.h>
+
+namespace abut
+{
+  /**
+   * How far a solution of the penalised problem is from that without a penalty: ||u_theta - u_0||_A^2, by the
+   * first two terms of the expansion in theta with the parts in contact kept,
+   *   (C + theta D) dp_1 = theta D p,   (C + theta D) dp_2 = theta D dp_1,   dp = dp_1 + dp_2,
+   * as dp . C dp; with motions that contact holds in balance. `pressures`: of the solution. `motions`: null
+   * where the scheme takes none. Zero without a penalty. Throws ComputationError.
+   */
+  double penalty_energy(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                        const MotionTerms *motions, const Eigen::VectorXd &pressures);
+} // namespace abut
