@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/decomposition/interface_solver.h>
-#include <abut/decomposition/penalty_sensitivity.h>
 #include <abut/decomposition/schemes/initial_guess.h>
 #include <abut/decomposition/schemes/neumann.h>
 #include <abut/decomposition/spectrum.h>
@@ -48,9 +47,9 @@ namespace abut
     return solve_from(held_->opened(loads), from);
   }
 
-  double InterfaceSolver::penalty_energy(const Eigen::VectorXd &pressures) const
+  PenaltyChange InterfaceSolver::penalty_change(const Eigen::VectorXd &pressures) const
   {
-    return abut::penalty_energy(problem_, *compliance_, motions(), pressures);
+    return abut::penalty_change(problem_, *compliance_, motions(), pressures);
   }
 
   SchemeResult InterfaceSolver::limit(const InterfaceProblem::Loads &loads,

@@ -4,6 +4,9 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+
 namespace abut
 {
   namespace
@@ -60,18 +63,19 @@ namespace abut
     }
   } // namespace
 
-  double penalty_energy(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                        const MotionTerms *motions, const Eigen::VectorXd &pressures)
+  PenaltyChange penalty_change(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                               const MotionTerms *motions, const Eigen::VectorXd &pressures)
   {
     AssertDimension(pressures.size(), problem.n_pressures());
     const ActiveSet active = penalised_parts(problem, pressures);
     if (active.empty())
-      return 0.;
+      return {};
     const Eigen::VectorXd penalties = problem.weights()(active).cwiseProduct(problem.penalties()(active));
     const HeldOperator held(problem, compliance, motions, active);
     const Eigen::VectorXd first = held.solve(penalties.cwiseProduct(pressures(active)));
     Eigen::VectorXd change = Eigen::VectorXd::Zero(pressures.size());
     change(active) = first + held.solve(penalties.cwiseProduct(first));
-    return change.dot(compliance.apply(change).head(change.size()));
+    return {change.dot(compliance.apply(change).head(change.size())), std::abs(problem.normal_force(change)),
+            change.cwiseAbs().maxCoeff()};
   }
 } // namespace abut

@@ -36,6 +36,8 @@ namespace abut
       remove_old_results(scene.output_directory);
       History history;
       ProgressLine progress(out, &out == &std::cout && isatty(STDOUT_FILENO) != 0, quiet);
+      if (scene.has_tolerance() && !quiet)
+        describe_choices(simulation, out);
       RunObserver observer;
       observer.begin_pass = [&](const unsigned int pass, const Counts &counts) {
         history.begin_pass(pass, counts);
@@ -46,7 +48,10 @@ namespace abut
         progress.step(record);
       };
       observer.estimate = [&](const StepEstimate &estimate) { history.add(estimate); };
-      observer.end_pass = [&](const PassRecord &record) { history.end_pass(record); };
+      observer.end_pass = [&](const PassRecord &record) {
+        history.end_pass(record);
+        progress.end_pass(simulation.scene(), record);
+      };
       Results results = simulation.run(observer);
       progress.finish();
       const Written written = write_all(results, history, scene.output_directory, clock.seconds());

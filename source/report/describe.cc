@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/numbers.h>
 #include <abut/report/describe.h>
 
 #include <ostream>
@@ -50,6 +51,18 @@ namespace abut
           << " % of the slave\n";
     }
   } // namespace
+
+  void describe_choices(const Simulation &simulation, std::ostream &out)
+  {
+    const Scene &scene = simulation.scene();
+    out << "Tolerance " << short_number(100. * scene.tolerance, 3) << " % (" << scene.goal.text()
+        << "), estimator " << scene.adaptation.estimator << "; to begin with\n";
+    for (const auto &body : simulation.bodies())
+    {
+      out << "  " << body->name() << ": ";
+      body->describe(out);
+    }
+  }
 
   void describe(const Simulation &simulation, std::ostream &out)
   {

@@ -29,6 +29,27 @@ namespace abut
           << "  peak pressure " << std::setw(11) << short_number(record.max_pressure);
       return out.str();
     }
+
+    std::string percentage(const double share)
+    {
+      return short_number(100. * share, 3) + " %";
+    }
+
+    /// What a pass says of its error, and where that comes from.
+    std::string error_text(const Scene &scene, const PassRecord &record)
+    {
+      const std::string asked = "; asked for: " + percentage(scene.tolerance);
+      if (record.goal)
+      {
+        const std::optional<double> error = record.goal->total();
+        return scene.goal.text() + " " + short_number(record.goal->value, 7) + ", error " +
+               (error ? "about " + percentage(*error) : "not known before the third mesh") + asked;
+      }
+      const ErrorPart part = record.budget.dominant();
+      return std::string("error ") + (record.error_is_bound() ? "at most " : "about ") +
+             (record.total ? percentage(*record.total) : "unknown") + " (" + record.estimator +
+             "), most of it " + part.name + ", " + percentage(part.error) + asked;
+    }
   } // namespace
 
   ProgressLine::ProgressLine(std::ostream &out, const bool terminal, const bool quiet)
@@ -51,6 +72,14 @@ namespace abut
       show(record);
     else
       waiting_ = record;
+  }
+
+  void ProgressLine::end_pass(const Scene &scene, const PassRecord &record)
+  {
+    if (quiet_ || !scene.has_tolerance())
+      return;
+    finish();
+    out_ << "  " << error_text(scene, record) << std::endl;
   }
 
   void ProgressLine::finish()

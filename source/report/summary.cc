@@ -95,6 +95,22 @@ namespace abut
               {"effectivity_total", number(pass.effectivity_total)}};
     }
 
+    Json goal_summary(const Results &results)
+    {
+      const Scene &scene = *results.scene;
+      if (!scene.has_tolerance())
+        return nullptr;
+      const PassRecord pass = results.passes.empty() ? PassRecord() : results.passes.back();
+      const bool energy = !pass.goal;
+      return {
+          {"name", scene.goal.text()},
+          {"tolerance", scene.tolerance},
+          {"value", energy ? Json() : number(pass.goal->value)},
+          {"error", energy ? number(pass.total) : number(pass.goal->total())},
+          {"discretisation", energy ? number(pass.budget.discretisation) : number(pass.goal->discretisation)},
+          {"penalty", energy ? number(pass.budget.penalty) : number(pass.goal->penalty)}};
+    }
+
     Json true_error_summary(const TrueErrors &errors)
     {
       return {{"energy", number(errors.energy)},
@@ -225,6 +241,7 @@ namespace abut
     json["bodies"] = bodies;
     json["contacts"] = contacts;
     json["error"] = error_summary(results);
+    json["goal"] = goal_summary(results);
     json["true_error"] = true_error_summary(results.true_errors);
     json["pass_table"] = Json::array();
     for (const PassRecord &pass : results.passes)

@@ -25,7 +25,7 @@ namespace abut
   } // namespace
 
   ErrorBudget error_budget(const Solution &solution, const Estimation &estimation,
-                           const std::optional<double> &penalty_energy)
+                           const std::optional<PenaltyChange> &penalty)
   {
     ErrorBudget budget;
     budget.discretisation = estimation.discretisation();
@@ -42,8 +42,8 @@ namespace abut
     const double norm = norm_of_solution(solution.bodies);
     budget.linear_algebra = relative_root(round_off, norm);
     budget.geometry = relative_root(geometry, norm);
-    if (penalty_energy)
-      budget.penalty = relative_root(*penalty_energy, norm);
+    if (penalty)
+      budget.penalty = relative_root(penalty->energy, norm);
     return budget;
   }
 } // namespace abut

@@ -3,6 +3,7 @@
 #include <abut/adaptation/marking.h>
 #include <abut/contact/law_mismatch.h>
 #include <abut/run/estimate.h>
+#include <abut/run/goal_value.h>
 #include <abut/trace/applied_traction.h>
 
 namespace abut
@@ -143,6 +144,7 @@ namespace abut
         solution.bodies[a].eta = estimation.eta[a];
         solution.bodies[a].better = estimation.errors[a].better;
       }
+      estimation.estimator = indicator.name();
       if (setup.scene.adaptation.certifies())
         for (const BodyResult &body : solution.bodies)
           if (estimation.why_uncertified.empty())
@@ -173,9 +175,10 @@ namespace abut
       std::vector<GoalCells> cells;
       for (std::size_t a = 0; a < scene.bodies.size(); ++a)
         cells.push_back({estimation.cell_squares(a), scene.bodies[a].degree, scene.bodies[a].adapt});
+      // How a goal of its own follows the energy norm is not known.
+      const double aim = scene.goal.is_energy() ? safety * scene.tolerance / last.error_for_tolerance() : .5;
       std::vector<CellMarks> marks;
-      for (std::vector<bool> &split :
-           goal_marks(cells, safety * scene.tolerance / last.error_for_tolerance()).split)
+      for (std::vector<bool> &split : goal_marks(cells, aim).split)
       {
         const std::size_t n = split.size();
         marks.push_back({std::move(split), std::vector<bool>(n, false)});
@@ -205,6 +208,8 @@ namespace abut
                                        : marks_of_bodies(scene, estimation, bodies);
     for (const PairResult &pair : results.pairs)
       mark_missed(scene, pair, bodies, marks);
+    if (for_tolerance)
+      mark_goal(scene, results, marks);
     for (std::size_t a = 0; a < bodies.size(); ++a)
       if (scene.bodies[a].adapt && scene.bodies[a].joints.mortar.neighbour_rule)
         for (const unsigned int cell : bodies[a].body->crowded_cells())

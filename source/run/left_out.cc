@@ -12,7 +12,8 @@ namespace abut
       items.emplace_back("error estimation (no estimator asked for)");
     if (!setup.scene.adapts())
       items.emplace_back("adaptation (no body adapts)");
-    if (!Registry<EstimatorEntry>::get().find(setup.scene.adaptation.estimator).has_boundary_elements)
+    const EstimatorEntry &estimator = Registry<EstimatorEntry>::get().find(setup.scene.adaptation.estimator);
+    if (!estimator.has_boundary_elements && estimator.make_certifier == nullptr)
       items.emplace_back("boundary elements (Adaptation/Estimator is not " +
                          estimators_with_boundary_elements() + ")");
     if (std::all_of(solution.bodies.begin(), solution.bodies.end(),

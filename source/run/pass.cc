@@ -21,7 +21,8 @@ namespace abut
     const Stopwatch watch(outcome.times.estimate);
     outcome.estimation = estimate_solution(setup_, solution, goal_distance_);
     outcome.boundary += outcome.estimation.boundary_cost();
-    outcome.budget = error_budget(solution, outcome.estimation, penalty_energy(solution.iteration.traction));
+    outcome.penalty = penalty_change(solution.iteration.traction);
+    outcome.budget = error_budget(solution, outcome.estimation, outcome.penalty);
   }
 
   std::unique_ptr<Pass> make_pass(const Setup &setup)

@@ -41,6 +41,7 @@ namespace abut
       record.discretisation = estimation.discretisation();
       record.stress = estimation.stress();
       record.budget = outcome.budget;
+      record.estimator = estimation.estimator;
       record.estimate_reason = why_no_bound(setup.scene, outcome.solution, estimation);
       if (estimation.mismatch && estimation.why_uncertified.empty())
         record.total = record.budget.bound();

@@ -3,6 +3,7 @@
 #include <abut/run/checks/supports.h>
 #include <abut/run/estimate.h>
 #include <abut/run/evaluate.h>
+#include <abut/run/goal_value.h>
 #include <abut/run/left_out.h>
 #include <abut/run/pass_record.h>
 #include <abut/run/simulation.h>
@@ -18,6 +19,7 @@ namespace abut
     }
     const Stopwatch watch(construction_.mesh);
     model_ = std::make_unique<Model>(scene_, exact_.get());
+    check_goal(scene_, *model_);
     indicator_ = make_indicator(scene_.adaptation);
     certifier_ = make_certifier(scene_.adaptation);
     if (indicator_)
@@ -74,6 +76,8 @@ namespace abut
   {
     PassRecord record = record_pass(setup(), outcome, carried);
     record.pass = static_cast<unsigned int>(results.passes.size());
+    if (!scene_.goal.is_energy())
+      record.goal = goal_record(scene_.goal, outcome.solution, outcome.penalty, results.passes);
     if (exact_)
     {
       const Stopwatch watch(outcome.times.reference);

@@ -139,11 +139,11 @@ namespace abut
     solution.iteration = solver_->solve(setup_.model.problem().loads(0.), start, observer, tolerance);
   }
 
-  std::optional<double> SolvedPass::penalty_energy(const Eigen::VectorXd &pressures) const
+  std::optional<PenaltyChange> SolvedPass::penalty_change(const Eigen::VectorXd &pressures) const
   {
     if (setup_.scene.reference.contact == ReferenceParameters::Contact::penalised)
       return {}; // the penalised problem's own solution is what is looked for
-    return solver_->penalty_energy(pressures);
+    return solver_->penalty_change(pressures);
   }
 
   std::optional<LimitDistance> SolvedPass::limit_distance(const Solution &solution) const

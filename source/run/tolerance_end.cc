@@ -36,6 +36,16 @@ namespace abut
 
   std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause)
   {
+    if (last.goal)
+    {
+      const std::optional<double> total = last.goal->total();
+      return cause + ": Goal = " + scene.goal.text() + " is " + short_number(last.goal->value, 6) +
+             ", its error " + (total ? "about " + percent(*total) : "not known yet") +
+             " where Tolerance = " + percent(scene.tolerance) +
+             "; raise Adaptation/Maximum passes or Maximum unknowns, or the Tolerance" +
+             (last.goal->penalty.value_or(0.) > .5 * scene.tolerance ? ", or lower the Penalty coefficient"
+                                                                     : "");
+    }
     const ErrorPart part = last.budget.dominant();
     return cause + ": the error is " + (last.error_is_bound() ? "at most " : "about ") +
            (last.total ? percent(*last.total) : "unknown") +
@@ -44,14 +54,30 @@ namespace abut
            way_out(part, "raise Adaptation/Maximum passes or Maximum unknowns, or the Tolerance");
   }
 
+  namespace
+  {
+    /// The part that no finer mesh makes smaller and that alone is above the tolerance, where the others are
+    /// below a third of it; empty where there is none.
+    std::string part_in_the_way(const Scene &scene, const PassRecord &last)
+    {
+      if (last.goal)
+      {
+        const double penalty = last.goal->penalty.value_or(0.);
+        const bool alone = last.goal->discretisation && 3. * *last.goal->discretisation < penalty;
+        return alone && penalty > scene.tolerance ? "penalty" : "";
+      }
+      const ErrorPart part = last.budget.dominant();
+      const bool alone = 3. * last.budget.discretisation.value_or(0.) < part.error;
+      return stays(part) && alone && part.error > scene.tolerance ? part.name : "";
+    }
+  } // namespace
+
   std::optional<AdaptationEnd> tolerance_end(const Scene &scene, const PassRecord &last)
   {
     if (last.error_for_tolerance() <= scene.tolerance && last.n_missed == 0)
       return AdaptationEnd{"tolerance", ""};
-    const ErrorPart part = last.budget.dominant();
-    if (stays(part) && part.error > scene.tolerance &&
-        3. * last.budget.discretisation.value_or(0.) < part.error)
-      return AdaptationEnd{part.name, missed_tolerance(scene, last, "No finer mesh reaches the Tolerance")};
+    if (const std::string part = part_in_the_way(scene, last); !part.empty())
+      return AdaptationEnd{part, missed_tolerance(scene, last, "No finer mesh reaches the Tolerance")};
     if (!scene.adapts())
       return AdaptationEnd{"no body adapts", missed_tolerance(scene, last, "No body has Adapt = true")};
     return {};

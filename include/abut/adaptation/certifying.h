@@ -20,6 +20,7 @@ namespace abut
       return why_uncertified(solution.body).empty() ? boundary_elements_.estimate(solution)
                                                     : jumps_.estimate(solution);
     }
+    std::string name() const override { return boundary_elements_.name(); }
     std::string why_uncertified(const Body &body) const override;
 
   private:

@@ -23,6 +23,7 @@ namespace abut
 
     /// Throws ComputationError where the boundary elements cannot solve.
     CellErrors estimate(const BodySolution &solution) const override;
+    std::string name() const override { return "fe-be"; }
     void check(const Body &body) const override;
 
   private:

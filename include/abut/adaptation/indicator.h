@@ -31,6 +31,8 @@ namespace abut
   public:
     virtual ~Indicator() = default;
     virtual CellErrors estimate(const BodySolution &solution) const = 0;
+    /// Its word in the parameter file, or that of the estimator that it takes where it can.
+    virtual std::string name() const = 0;
     /// Throws UserError, beginning with the body's name, for a body that the indicator is not made for.
     virtual void check(const Body &) const {}
     /// Why the estimate of a body is not that of boundary elements, which bound the error: one sentence,

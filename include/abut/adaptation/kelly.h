@@ -23,5 +23,6 @@ namespace abut
   {
   public:
     CellErrors estimate(const BodySolution &solution) const override;
+    std::string name() const override { return "kelly"; }
   };
 } // namespace abut

@@ -15,5 +15,6 @@ namespace abut
   {
   public:
     CellErrors estimate(const BodySolution &solution) const override;
+    std::string name() const override { return "spr"; }
   };
 } // namespace abut

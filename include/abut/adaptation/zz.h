@@ -17,5 +17,6 @@ namespace abut
   {
   public:
     CellErrors estimate(const BodySolution &solution) const override;
+    std::string name() const override { return "zz"; }
   };
 } // namespace abut

@@ -142,6 +142,11 @@ namespace abut
                                      const StressVisitor &visitor) const = 0;
     /// At a point of the undeformed body (world frame). Throws UserError for a point outside.
     virtual Vector2 displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const = 0;
+    /// The active cells that a point of the undeformed body (world frame) belongs to: none outside.
+    virtual std::vector<unsigned int> cells_at(const Vector2 &point) const = 0;
+    /// Mean over the cells at a point; empty outside.
+    virtual std::optional<Stress> stress_at(const Eigen::VectorXd &deformation,
+                                            const Vector2 &point) const = 0;
     virtual OutputPatches output_patches(const OutputFields &fields) const = 0;
 
   private:

@@ -3,6 +3,7 @@
 
 #include <abut/decomposition/contact_system.h>
 #include <abut/decomposition/held_parts.h>
+#include <abut/decomposition/penalty_sensitivity.h>
 #include <abut/decomposition/scheme.h>
 #include <abut/scene/scheme_entry.h>
 
@@ -29,8 +30,8 @@ namespace abut
     /// more than some ten seconds.
     SchemeResult limit(const InterfaceProblem::Loads &loads, const Eigen::VectorXd &start) const;
 
-    /// See abut::penalty_energy.
-    double penalty_energy(const Eigen::VectorXd &pressures) const;
+    /// See abut::penalty_change.
+    PenaltyChange penalty_change(const Eigen::VectorXd &pressures) const;
 
     const InterfaceCompliance &compliance() const { return *compliance_; }
     /// Null for a scheme that takes none.

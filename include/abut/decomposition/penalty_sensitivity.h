@@ -6,13 +6,21 @@
 
 namespace abut
 {
+  /// What a penalty changes of a solution; sizes.
+  struct PenaltyChange
+  {
+    double energy = 0.;           ///< squared energy norm
+    double force = 0.;            ///< of the sum of D_k p_k
+    double largest_pressure = 0.; ///< of a part
+  };
+
   /**
-   * How far a solution of the penalised problem is from that without a penalty: ||u_theta - u_0||_A^2, by the
+   * How far a solution of the penalised problem is from that without a penalty, u_theta - u_0, by the
    * first two terms of the expansion in theta with the parts in contact kept,
    *   (C + theta D) dp_1 = theta D p,   (C + theta D) dp_2 = theta D dp_1,   dp = dp_1 + dp_2,
-   * as dp . C dp; with motions that contact holds in balance. `pressures`: of the solution. `motions`: null
-   * where the scheme takes none. Zero without a penalty. Throws ComputationError.
+   * whose squared energy norm is dp . C dp; with motions that contact holds in balance. `pressures`: of the
+   * solution. `motions`: null where the scheme takes none. Zero without a penalty. Throws ComputationError.
    */
-  double penalty_energy(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
-                        const MotionTerms *motions, const Eigen::VectorXd &pressures);
+  PenaltyChange penalty_change(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
+                               const MotionTerms *motions, const Eigen::VectorXd &pressures);
 } // namespace abut

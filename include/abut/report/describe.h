@@ -9,4 +9,7 @@ namespace abut
 {
   /// What will be solved: bodies, unknowns, supports, rigid motions left free, gaps, penalties.
   void describe(const Simulation &simulation, std::ostream &out);
+
+  /// What a scene with a tolerance begins with: a line on the goal and one for every body.
+  void describe_choices(const Simulation &simulation, std::ostream &out);
 } // namespace abut

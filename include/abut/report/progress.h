@@ -3,6 +3,7 @@
 
 #include <abut/base/counts.h>
 #include <abut/decomposition/scheme.h>
+#include <abut/results/results.h>
 
 #include <chrono>
 #include <iosfwd>
@@ -24,6 +25,8 @@ namespace abut
     /// Ends the line of the pass before and, from the second pass on, names the new mesh.
     void begin_pass(unsigned int pass, const Counts &counts);
     void step(const StepRecord &record);
+    /// One line on the error of a pass, where the scene has a tolerance.
+    void end_pass(const Scene &scene, const PassRecord &record);
     /// Shows the last step if it is not there yet, and ends the line.
     void finish();
 

@@ -10,6 +10,7 @@
 #include <abut/mesh/quality.h>
 #include <abut/results/error_budget.h>
 #include <abut/results/estimator_quality.h>
+#include <abut/results/goal_record.h>
 #include <abut/results/peaks.h>
 #include <abut/results/times.h>
 #include <abut/scene/scene.h>
@@ -100,7 +101,9 @@ namespace abut
     std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
     std::optional<double> total;          ///< root of the squares of discretisation and iteration; with fe-be
                                           ///< the bound of both together (Estimation::bound)
+    std::optional<GoalRecord> goal;       ///< where the scene has a goal of its own
     ErrorBudget budget;                   ///< what the error is made of
+    std::string estimator;                ///< whose word the estimate is: fe-be, kelly, ...
     std::string estimate_reason;          ///< why `total` is an estimate and no bound; empty where it is one
     TrueErrors true_errors;
     std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
@@ -118,6 +121,8 @@ namespace abut
     double error_for_tolerance() const
     {
       constexpr double safety = 1.25;
+      if (goal)
+        return goal->total().value_or(std::numeric_limits<double>::infinity());
       if (!total)
         return std::numeric_limits<double>::infinity();
       return error_is_bound() ? *total : safety * *total;

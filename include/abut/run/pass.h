@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/decomposition/interface_motions.h>
+#include <abut/decomposition/penalty_sensitivity.h>
 #include <abut/run/estimate.h>
 #include <abut/run/model.h>
 #include <abut/run/observer.h>
@@ -16,9 +17,10 @@ namespace abut
   struct PassOutcome
   {
     Solution solution;
-    Estimation estimation; ///< empty where nothing is estimated
-    ErrorBudget budget;    ///< likewise
-    CarriedState state;    ///< what the next mesh is to start from
+    Estimation estimation;                ///< empty where nothing is estimated
+    ErrorBudget budget;                   ///< likewise
+    std::optional<PenaltyChange> penalty; ///< likewise
+    CarriedState state;                   ///< what the next mesh is to start from
     Times times;
     BoundaryCost boundary; ///< seconds of all estimates, sizes of one
   };
@@ -44,9 +46,12 @@ namespace abut
     /// the iteration has amplitudes of; null where it has none.
     void evaluate(PassOutcome &outcome, const InterfaceMotions *motions);
 
-    /// Squared energy norm of what the penalty changes of a solution with these pressures; empty where that
-    /// is not at hand or no error.
-    virtual std::optional<double> penalty_energy(const Eigen::VectorXd & /*pressures*/) const { return {}; }
+    /// What the penalty changes of a solution with these pressures; empty where that is not at hand or no
+    /// error.
+    virtual std::optional<PenaltyChange> penalty_change(const Eigen::VectorXd & /*pressures*/) const
+    {
+      return {};
+    }
 
     const Setup setup_;
 

@@ -20,7 +20,7 @@ namespace abut
     std::vector<std::string> dropped_loads() const override;
 
   protected:
-    std::optional<double> penalty_energy(const Eigen::VectorXd &pressures) const override;
+    std::optional<PenaltyChange> penalty_change(const Eigen::VectorXd &pressures) const override;
 
   private:
     double first_tolerance() const;

@@ -97,6 +97,38 @@ namespace abut
         });
   }
 
+  std::vector<unsigned int> FiniteElementBody::cells_at(const Vector2 &point) const
+  {
+    std::vector<unsigned int> found;
+    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+      if (cell->point_inside(dealii::Point<2>(point.x(), point.y())))
+        found.push_back(cell->active_cell_index());
+    return found;
+  }
+
+  std::optional<Stress> FiniteElementBody::stress_at(const Eigen::VectorXd &deformation,
+                                                     const Vector2 &point) const
+  {
+    const dealii::Point<2> place(point.x(), point.y());
+    const StressField field(*this, deformation);
+    Stress sum;
+    double n = 0.;
+    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+    {
+      if (!cell->point_inside(place))
+        continue;
+      const dealii::Quadrature<2> at_point(space_->mapping().transform_real_to_unit_cell(cell, place));
+      dealii::FEValues<2> values(space_->mapping(), space_->dof_handler().get_fe(), at_point,
+                                 dealii::update_gradients | dealii::update_quadrature_points);
+      values.reinit(cell);
+      std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
+      cell->get_dof_indices(dofs);
+      sum = sum + field.at(cell, values, 0, dofs);
+      n += 1.;
+    }
+    return n > 0. ? std::optional<Stress>(sum * (1. / n)) : std::nullopt;
+  }
+
   Vector2 FiniteElementBody::displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const
   {
     const dealii::Point<2> place(point.x(), point.y());

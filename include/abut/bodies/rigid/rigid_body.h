@@ -70,6 +70,8 @@ namespace abut
     double round_off_energy(const Eigen::VectorXd &, const Eigen::VectorXd &) const override { return 0.; }
     double geometry_energy(const Eigen::VectorXd &) const override { return 0.; }
 
+    std::vector<unsigned int> cells_at(const Vector2 &) const override { return {}; }
+    std::optional<Stress> stress_at(const Eigen::VectorXd &, const Vector2 &) const override { return {}; }
     void visit_corner_stress(const Eigen::VectorXd &, const StressVisitor &) const override {}
     Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const override;
     Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const override;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+
+namespace abut
+{
+  /// The quantity that a Tolerance belongs to, where it is not the energy norm. Errors are relative.
+  struct GoalRecord
+  {
+    double value = 0.; ///< force, pressure or stress
+    /// Estimated by the changes from mesh to mesh: the larger of the last one and half of that before. Empty
+    /// before the third mesh.
+    std::optional<double> discretisation;
+    std::optional<double> penalty; ///< first two terms of its sensitivity; empty for stresses
+
+    std::optional<double> total() const
+    {
+      return discretisation ? std::optional<double>(*discretisation + penalty.value_or(0.)) : std::nullopt;
+    }
+  };
+} // namespace abut

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
+#include <abut/run/goal_value.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut
+{
+  namespace
+  {
+    using Index = Eigen::Index;
+
+    const PairResult &pair_with_peak(const std::vector<PairResult> &pairs)
+    {
+      return *std::max_element(pairs.begin(), pairs.end(), [](const PairResult &a, const PairResult &b) {
+        return a.max_pressure < b.max_pressure;
+      });
+    }
+
+    /// The part with the largest reported pressure.
+    std::size_t peak_part(const PairResult &pair)
+    {
+      return *std::max_element(
+          pair.parts.begin(), pair.parts.end(), [&](const std::size_t k, const std::size_t l) {
+            return pair.pressures[static_cast<Index>(k)] < pair.pressures[static_cast<Index>(l)];
+          });
+    }
+
+    double stress_at(const Vector2 &point, const std::vector<BodyResult> &bodies)
+    {
+      for (const BodyResult &result : bodies)
+        if (const auto stress = result.body->stress_at(result.deformation, point))
+          return stress->von_mises();
+      throw ComputationError("Goal: the point of the stress is in no body any more");
+    }
+
+    double value_of(const Goal &goal, const Solution &solution)
+    {
+      double force = 0.;
+      switch (goal.kind)
+      {
+      case Goal::Kind::force:
+        for (const PairResult &pair : solution.pairs)
+          force += pair.normal_force;
+        return force;
+      case Goal::Kind::peak_pressure:
+        return pair_with_peak(solution.pairs).max_pressure;
+      case Goal::Kind::stress:
+        return stress_at(goal.point, solution.bodies);
+      case Goal::Kind::energy:
+        break;
+      }
+      throw dealii::ExcInternalError();
+    }
+
+    double relative_change(const double value, const double before)
+    {
+      return value == before ? 0. : std::abs(value - before) / std::abs(value);
+    }
+
+    std::optional<double> by_changes(const double value, const std::vector<PassRecord> &before)
+    {
+      const std::size_t n = before.size();
+      if (n < 2)
+        return {};
+      const double last = before[n - 1].goal->value, first = before[n - 2].goal->value;
+      return std::max(relative_change(value, last), .5 * relative_change(last, first));
+    }
+
+  } // namespace
+
+  void check_goal(const Scene &scene, const Model &model)
+  {
+    if (scene.goal.is_energy())
+      return;
+    if (scene.goal.kind != Goal::Kind::stress)
+    {
+      if (model.pairs().empty())
+        throw UserError("Goal: received `" + scene.goal.text() +
+                        "` in a scene without contacts; allowed are energy "
+                        "and stress at (x, y)");
+      return;
+    }
+    for (const auto &body : model.bodies())
+      if (!body->cells_at(scene.goal.point).empty())
+        return;
+    throw UserError("Goal: received `" + scene.goal.text() + "`, but no elastic body has this point");
+  }
+
+  GoalRecord goal_record(const Goal &goal, const Solution &solution,
+                         const std::optional<PenaltyChange> &penalty, const std::vector<PassRecord> &before)
+  {
+    GoalRecord record;
+    record.value = value_of(goal, solution);
+    record.discretisation = by_changes(record.value, before);
+    if (penalty && goal.kind != Goal::Kind::stress)
+      record.penalty =
+          (goal.kind == Goal::Kind::force ? penalty->force : penalty->largest_pressure) / record.value;
+    return record;
+  }
+
+  void mark_goal(const Scene &scene, const Solution &solution, std::vector<CellMarks> &marks)
+  {
+    const auto mark = [&](const std::size_t body, const unsigned int cell) {
+      if (scene.bodies[body].adapt)
+        marks[body].refine[cell] = true;
+    };
+    if (scene.goal.kind == Goal::Kind::stress)
+      for (std::size_t a = 0; a < solution.bodies.size(); ++a)
+        for (const unsigned int cell : solution.bodies[a].body->cells_at(scene.goal.point))
+          mark(a, cell);
+    if (scene.goal.kind != Goal::Kind::peak_pressure)
+      return;
+    const PairResult &pair = pair_with_peak(solution.pairs);
+    const std::size_t peak = peak_part(pair);
+    for (const Piece &piece : pair.surface->partition().pieces())
+      if (piece.part == peak && piece.link == pair.pair->link())
+        for (const auto &[side, segment] : {std::pair(&pair.pair->cut_side(), piece.cut_segment),
+                                            std::pair(&pair.pair->other_side(), piece.other_segment)})
+          mark(side->body, side->trace->segments()[segment].cell);
+  }
+} // namespace abut
