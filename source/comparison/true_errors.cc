@@ -71,6 +71,11 @@ namespace abut
       }
       return std::sqrt(error / norm);
     }
+
+    const Placement &slave_placement(const Scene &scene, const PairResult &pair)
+    {
+      return scene.bodies[pair.pair->slave().body].placement;
+    }
   } // namespace
 
   TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
@@ -89,11 +94,33 @@ namespace abut
     if (pairs.empty())
       return errors;
     const PairResult &pair = pairs.front();
-    const Placement &slave = scene.bodies[pair.pair->slave().body].placement;
+    const Placement &slave = slave_placement(scene, pair);
     if (const auto pressure = exact.pressure())
       errors.pressure = pressure_error(pressure, pair, slave);
     if (const auto force = exact.force())
       errors.force = std::abs(pair.normal_force / slave.length_to_world(*force) - 1.);
     return errors;
+  }
+
+  void add_exact_pressures(const ExactSolution &exact, const Scene &scene, std::vector<PairResult> &pairs)
+  {
+    const auto pressure = exact.pressure();
+    if (pairs.empty() || !pressure)
+      return;
+    PairResult &pair = pairs.front();
+    const Placement &placement = slave_placement(scene, pair);
+    const Trace &cut = *pair.pair->cut_side().trace;
+    for (const Piece &piece : pair.surface->partition().pieces())
+    {
+      if (piece.link != pair.pair->link())
+        continue;
+      const Segment &segment = cut.segments()[piece.cut_segment];
+      for (const double share : {0., .25, .5, .75, 1.})
+      {
+        const double s = piece.start + share * (piece.end - piece.start);
+        pair.exact_pressures.emplace_back(segment.arc_start + s * segment.length,
+                                          pressure(placement.point_to_own(cut.point(segment, s))));
+      }
+    }
   }
 } // namespace abut

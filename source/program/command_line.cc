@@ -55,7 +55,7 @@ namespace abut
       Results results = simulation.run(observer);
       progress.finish();
       const Written written = write_all(results, history, scene.output_directory, clock.seconds());
-      results.times.output = written.seconds;
+      results.times.output += written.seconds;
       results.left_out.insert(results.left_out.end(), written.left_out.begin(), written.left_out.end());
       print_warnings(err, scene, results.warnings);
       if (!quiet)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/comparison/true_errors.h>
 #include <abut/run/adaptation_end.h>
 #include <abut/run/checks/supports.h>
 #include <abut/run/estimate.h>
@@ -47,12 +48,14 @@ namespace abut
         observer.begin_pass(static_cast<unsigned int>(results.passes.size()), counts());
       PassOutcome outcome = solve(*pass, carried, observer);
       add(outcome, carried, results);
-      if (observer.end_pass)
-        observer.end_pass(results.passes.back());
-      if (observer.state)
-        observer.state({results, outcome.estimation, model_->problem()});
+      show(outcome, observer, results);
       carried = adapt(outcome, results);
     } while (carried);
+    if (exact_)
+    {
+      const Stopwatch watch(results.times.reference);
+      add_exact_pressures(*exact_, scene_, results.pairs);
+    }
     add_peaks(results.bodies);
     results.limit_distance = pass->limit_distance(results);
     results.warnings = all_warnings(scene_, *model_, results, pass->dropped_loads());
@@ -84,10 +87,19 @@ namespace abut
       compare_with_exact(setup(), outcome, record);
     }
     results.times += outcome.times;
-    record.seconds = clock_.seconds() - results.times.reference;
+    record.seconds = clock_.seconds() - results.times.reference - results.times.output;
     results.true_errors = record.true_errors;
     results.passes.push_back(std::move(record));
     static_cast<Solution &>(results) = std::move(outcome.solution);
+  }
+
+  void Simulation::show(const PassOutcome &outcome, const RunObserver &observer, Results &results) const
+  {
+    const Stopwatch watch(results.times.output);
+    if (observer.end_pass)
+      observer.end_pass(results.passes.back());
+    if (observer.state)
+      observer.state({results, outcome.estimation, model_->problem()});
   }
 
   std::optional<CarriedState> Simulation::adapt(const PassOutcome &outcome, Results &results)

@@ -61,6 +61,9 @@ namespace abut
     double max_sliding = 0.;         ///< largest size over the parts that press
     /// Overlap far from any part that presses: contact smaller than a part.
     std::vector<MissedContact> missed;
+    /// (arc length on the cut side, pressure) of the exact solution that the scene names, along the pair;
+    /// empty where none is known.
+    std::vector<Vector2> exact_pressures;
 
     const Part &part(const std::size_t k) const
     {
@@ -114,7 +117,8 @@ namespace abut
     std::size_t n_missed = 0;                    ///< pieces of missed contact
     std::vector<MeshQuality> meshes;             ///< body by body
     PassCost cost;
-    double seconds = 0.; ///< since the run began, without comparing with the exact solution
+    double seconds =
+        0.; ///< since the run began, without comparing with the exact solution and showing passes
 
     /// What has to be below the tolerance: the bound, or the estimate with what it has been too small by.
     /// Infinite where nothing is estimated.

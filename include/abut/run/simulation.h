@@ -48,6 +48,8 @@ namespace abut
     PassOutcome solve(Pass &pass, const std::optional<CarriedState> &carried, const RunObserver &observer);
     /// Adds the solution, record and times of a pass. `carried`: what it started from.
     void add(PassOutcome &outcome, const std::optional<CarriedState> &carried, Results &results) const;
+    /// Tells the observer of a pass that was added.
+    void show(const PassOutcome &outcome, const RunObserver &observer, Results &results) const;
     /// Makes the next mesh after a pass that was not the last: empty where no cell could be changed.
     std::optional<CarriedState> adapt(const PassOutcome &outcome, Results &results);
 
