@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/colour_bar.h>
+#include <abut/report/comb.h>
 #include <abut/report/picture.h>
 #include <abut/report/svg.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <sstream>
 
 namespace abut
@@ -18,57 +18,6 @@ namespace abut
     // Pixels.
     constexpr double page_width = 1000., largest_height = 700., margin = 24., caption_height = 64.,
                      legend_height = 76.;
-    constexpr double comb_share = .1; // height of the largest pressure over the scene's size
-
-    struct Box
-    {
-      Vector2 low = Vector2::Constant(std::numeric_limits<double>::infinity());
-      Vector2 high = -low;
-
-      void include(const Polyline &points)
-      {
-        for (const Vector2 &point : points)
-        {
-          low = low.cwiseMin(point);
-          high = high.cwiseMax(point);
-        }
-      }
-      Vector2 size() const { return high - low; }
-    };
-
-    /// A stretch of a cut side under pressure.
-    struct Comb
-    {
-      Polyline base, tips;
-    };
-
-    std::vector<Comb> combs_of(const DrawnScene &scene)
-    {
-      double largest = 0.;
-      for (const DrawnContact &contact : scene.contacts)
-        for (const double pressure : contact.pressures)
-          largest = std::max(largest, pressure);
-      std::vector<Comb> combs;
-      for (const DrawnContact &contact : scene.contacts)
-      {
-        const std::size_t n = contact.nodes.size();
-        const auto pressed = [&](const std::size_t i) { return i < n && contact.pressures[i] > 0.; };
-        bool open = false;
-        for (std::size_t i = 0; i < n; ++i)
-        {
-          const bool part = pressed(i) || pressed(i + 1) || (i > 0 && pressed(i - 1));
-          if (part && !open)
-            combs.emplace_back();
-          open = part;
-          if (!part)
-            continue;
-          const double height = comb_share * scene.size * contact.pressures[i] / largest;
-          combs.back().base.push_back(contact.nodes[i]);
-          combs.back().tips.push_back(contact.nodes[i] + height * contact.normals[i]);
-        }
-      }
-      return combs;
-    }
 
     std::string stress_title(const Results &results)
     {
@@ -156,12 +105,7 @@ namespace abut
 
     const DrawnScene scene = deformed_scene(results);
     const std::vector<Comb> combs = combs_of(scene);
-    Box box;
-    for (const DrawnBody &body : scene.bodies)
-      for (const Polyline &cell : body.cells)
-        box.include(cell);
-    for (const Comb &comb : combs)
-      box.include(comb.tips);
+    const Box box = box_around(scene, combs);
 
     PageFrame frame;
     frame.scale = std::min((page_width - 2. * margin) / box.size().x(), largest_height / box.size().y());

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/plot.h>
+#include <abut/report/plot_range.h>
 #include <abut/report/svg.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace abut
@@ -16,106 +15,24 @@ namespace abut
     // Pixels: the frame of a diagram, and what is left free around it.
     constexpr double frame_width = 420., frame_height = 300., left_room = 86., right_room = 20.,
                      top_room = 34., bottom_room = 50., legend_line = 18.;
-    constexpr double wanted_ticks = 5.;
     const std::array<const char *, 7> curve_colours = {
         {"#1b6ca8", "#d7191c", "#2a9d4b", "#8e44ad", "#e08214", "#555", "#17a2a2"}};
 
-    /// The values an axis shows, as they are or as logarithms, and where they lie on the page.
-    struct Range1
-    {
-      bool logarithmic = false;
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-
-      double transformed(const double value) const { return logarithmic ? std::log10(value) : value; }
-      bool shows(const double value) const { return std::isfinite(value) && (!logarithmic || value > 0.); }
-      void include(const double value)
-      {
-        low = std::min(low, transformed(value));
-        high = std::max(high, transformed(value));
-      }
-      /// Leaves some room at both ends.
-      void widen()
-      {
-        const double size = high > low ? high - low : std::max(1e-300, std::abs(high));
-        low -= .04 * size;
-        high += .04 * size;
-      }
-      double share(const double value) const { return (transformed(value) - low) / (high - low); }
-    };
-
-    struct Ranges
-    {
-      Range1 x, y;
-
-      bool show(const Vector2 &point) const { return x.shows(point.x()) && y.shows(point.y()); }
-    };
-
-    Ranges ranges_of(const Plot &plot)
-    {
-      Ranges ranges;
-      ranges.x.logarithmic = plot.x.logarithmic;
-      ranges.y.logarithmic = plot.y.logarithmic;
-      for (const Curve &curve : plot.curves)
-        for (const Vector2 &point : curve.points)
-          if (ranges.show(point))
-          {
-            ranges.x.include(point.x());
-            ranges.y.include(point.y());
-          }
-      ranges.x.widen();
-      ranges.y.widen();
-      return ranges;
-    }
-
-    /// Round numbers, about `wanted_ticks` of them.
-    std::vector<double> linear_ticks(const Range1 &range)
-    {
-      const double rough = (range.high - range.low) / wanted_ticks;
-      const double power = std::pow(10., std::floor(std::log10(rough)));
-      double step = 10. * power;
-      for (const double factor : {5., 2., 1.})
-        if (factor * power >= .999 * rough)
-          step = factor * power;
-      std::vector<double> ticks;
-      for (double n = std::ceil(range.low / step); n * step <= range.high; ++n)
-        ticks.push_back(n * step + 0.); // no -0
-      return ticks;
-    }
-
-    /// 1, 2 and 5 times powers of ten, or the powers alone where there are many.
-    std::vector<double> logarithmic_ticks(const Range1 &range)
-    {
-      std::vector<double> ticks;
-      for (double exponent = std::floor(range.low); exponent <= range.high; ++exponent)
-        for (const double factor : {1., 2., 5.})
-        {
-          const double place = exponent + std::log10(factor);
-          if (place >= range.low && place <= range.high && (factor == 1. || range.high - range.low < 2.5))
-            ticks.push_back(factor * std::pow(10., exponent));
-        }
-      return ticks;
-    }
-
-    std::vector<double> ticks_of(const Range1 &range)
-    {
-      return range.logarithmic ? logarithmic_ticks(range) : linear_ticks(range);
-    }
-
-    void write_axes(std::ostream &out, const Plot &plot, const Ranges &ranges, const Vector2 &corner)
+    void write_axes(std::ostream &out, const Plot &plot, const PlotRange &range, const Vector2 &corner)
     {
       out << "<rect x=\"" << corner.x() << "\" y=\"" << corner.y() << "\" width=\"" << frame_width
           << "\" height=\"" << frame_height << "\" fill=\"none\" stroke=\"#333\"/>\n<g stroke=\"#ddd\">\n";
       std::ostringstream labels;
       labels.imbue(std::locale::classic());
-      for (const double tick : ticks_of(ranges.x))
+      for (const double tick : range.x.ticks())
       {
-        const double x = corner.x() + ranges.x.share(tick) * frame_width;
+        const double x = corner.x() + range.x.share(tick) * frame_width;
         out << "<path d=\"M" << x << ' ' << corner.y() << 'v' << frame_height << "\"/>\n";
         write_text(labels, {x, corner.y() + frame_height + 17.}, Anchor::middle, short_number(tick, 6));
       }
-      for (const double tick : ticks_of(ranges.y))
+      for (const double tick : range.y.ticks())
       {
-        const double y = corner.y() + (1. - ranges.y.share(tick)) * frame_height;
+        const double y = corner.y() + (1. - range.y.share(tick)) * frame_height;
         out << "<path d=\"M" << corner.x() << ' ' << y << 'h' << frame_width << "\"/>\n";
         write_text(labels, {corner.x() - 6., y + 4.}, Anchor::end, short_number(tick, 6));
       }
@@ -162,15 +79,15 @@ namespace abut
 
     void write_plot(std::ostream &out, const Plot &plot, const Vector2 &corner)
     {
-      const Ranges ranges = ranges_of(plot);
-      write_axes(out, plot, ranges, corner);
+      const PlotRange range = range_of(plot);
+      write_axes(out, plot, range, corner);
       for (std::size_t i = 0; i < plot.curves.size(); ++i)
       {
         Polyline places;
         for (const Vector2 &point : plot.curves[i].points)
-          if (ranges.show(point))
-            places.push_back(corner + Vector2(ranges.x.share(point.x()) * frame_width,
-                                              (1. - ranges.y.share(point.y())) * frame_height));
+          if (range.shows(point))
+            places.push_back(corner + Vector2(range.x.share(point.x()) * frame_width,
+                                              (1. - range.y.share(point.y())) * frame_height));
         write_curve(out, places, plot.curves[i], i);
         const Vector2 line =
             corner + Vector2(0., frame_height + bottom_room + static_cast<double>(i) * legend_line);
