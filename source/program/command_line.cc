@@ -35,6 +35,7 @@ namespace abut
       make_output_directory(scene.output_directory);
       remove_old_results(scene.output_directory);
       History history;
+      PassDrawings drawings;
       ProgressLine progress(out, &out == &std::cout && isatty(STDOUT_FILENO) != 0, quiet);
       if (scene.has_tolerance() && !quiet)
         describe_choices(simulation, out);
@@ -52,9 +53,12 @@ namespace abut
         history.end_pass(record);
         progress.end_pass(simulation.scene(), record);
       };
+      if (scene.writes_report)
+        observer.state = [&](const PassState &state) { drawings.add(state.results); };
       Results results = simulation.run(observer);
       progress.finish();
-      const Written written = write_all(results, history, scene.output_directory, clock.seconds());
+      const Written written =
+          write_all(results, history, std::move(drawings), scene.output_directory, clock.seconds());
       results.times.output += written.seconds;
       results.left_out.insert(results.left_out.end(), written.left_out.begin(), written.left_out.end());
       print_warnings(err, scene, results.warnings);

@@ -95,7 +95,7 @@ namespace abut
     }
   } // namespace
 
-  std::string picture(const Results &results)
+  std::string picture(const Results &results, const DrawnScene &scene)
   {
     std::size_t n_cells = 0;
     for (const BodyResult &body : results.bodies)
@@ -103,7 +103,6 @@ namespace abut
     if (n_cells > most_cells)
       return "";
 
-    const DrawnScene scene = deformed_scene(results);
     const std::vector<Comb> combs = combs_of(scene);
     const Box box = box_around(scene, combs);
 

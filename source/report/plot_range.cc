@@ -56,7 +56,7 @@ namespace abut
 
   void AxisRange::widen()
   {
-    const double size = high > low ? high - low : std::max(1e-300, std::abs(high));
+    const double size = high > low ? high - low : high == 0. ? 1. : std::abs(high);
     low -= .04 * size;
     high += .04 * size;
   }
@@ -74,8 +74,12 @@ namespace abut
   PlotRange range_of(const Plot &plot)
   {
     PlotRange range;
-    range.x.logarithmic = plot.x.logarithmic;
-    range.y.logarithmic = plot.y.logarithmic;
+    for (const auto &[axis, axis_range] : {std::pair(&plot.x, &range.x), {&plot.y, &range.y}})
+    {
+      axis_range->logarithmic = axis->logarithmic;
+      if (axis->has_zero)
+        axis_range->include(0.);
+    }
     for (const Curve &curve : plot.curves)
       for (const Vector2 &point : curve.points)
         if (range.shows(point))

@@ -2,6 +2,7 @@
 #include <abut/base/stopwatch.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/contact_csv.h>
+#include <abut/report/page/report_page.h>
 #include <abut/report/picture.h>
 #include <abut/report/summary.h>
 #include <abut/report/vtu.h>
@@ -27,9 +28,11 @@ namespace abut
     }
 
     /// Returns whether there is a picture.
-    bool write_picture(const Results &results, const std::filesystem::path &directory)
+    bool write_picture(const Results &results, const PassDrawings &drawings,
+                       const std::filesystem::path &directory)
     {
-      const std::string drawing = picture(results);
+      const DrawnScene *const scene = drawings.last(results);
+      const std::string drawing = scene != nullptr ? picture(results, *scene) : "";
       if (!drawing.empty())
         write_file(directory / "solution.svg", drawing);
       return !drawing.empty();
@@ -39,36 +42,45 @@ namespace abut
   void remove_old_results(const std::string &directory)
   {
     std::error_code ignored; // a file that cannot be removed cannot be replaced either, which is reported
-    for (const char *stale : {"summary.json", "solution.svg"})
+    for (const char *stale : {"summary.json", "report.html", "solution.svg"})
       std::filesystem::remove(std::filesystem::path(directory) / stale, ignored);
   }
 
   namespace
   {
-    /// All files but summary.json, which tells how long they took; returns what was left out.
-    std::vector<std::string> write_all_but_summary(const Results &results, const History &history,
-                                                   const std::filesystem::path &folder)
+    /// All files but summary.json and report.html, which tell how long they took; returns what was left out.
+    std::vector<std::string> write_numbers_and_fields(const Results &results, const History &history,
+                                                      const PassDrawings &drawings,
+                                                      const std::filesystem::path &folder)
     {
       write_file(folder / "parameters.prm", results.scene->parameters);
       write_file(folder / "history.csv", history.csv());
       for (const PairResult &pair : results.pairs)
         write_file(folder / ("contact_" + pair.pair->name() + ".csv"), contact_csv(pair));
       write_fields(results, folder);
-      if (!write_picture(results, folder))
+      if (!write_picture(results, drawings, folder))
         return {"solution.svg: too many cells for a picture"};
       return {};
     }
   } // namespace
 
-  Written write_all(const Results &results, const History &history, const std::string &directory,
-                    const double total_seconds)
+  Written write_all(const Results &results, const History &history, PassDrawings drawings,
+                    const std::string &directory, const double total_seconds)
   {
     const std::filesystem::path folder(directory);
     Written written;
     {
       const Stopwatch watch(written.seconds);
+      const WallClock clock;
       remove_old_results(directory);
-      written.left_out = write_all_but_summary(results, history, folder);
+      drawings.add_last(results);
+      written.left_out = write_numbers_and_fields(results, history, drawings, folder);
+      if (results.scene->writes_report)
+        write_file(folder / "report.html",
+                   report_page(results, {drawings.drawings(), written.left_out, clock.seconds(),
+                                         total_seconds + clock.seconds()}));
+      else
+        written.left_out.emplace_back("report.html (Output/Report is false)");
     }
     nlohmann::ordered_json json = summary(results, total_seconds + written.seconds);
     json["time_s"]["output"] = results.times.output + written.seconds;

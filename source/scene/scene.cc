@@ -29,6 +29,8 @@ namespace abut
           "Condition numbers", "false", dealii::Patterns::Bool(),
           "Whether summary.json tells the condition numbers of the bodies' stiffness matrices, which "
           "costs 60 solves of each.");
+      prm.declare_entry("Report", "true", dealii::Patterns::Bool(),
+                        "Whether report.html is written: one page with the figures of the run.");
     }
 
     void declare_discretisation_defaults(ParameterHandler &prm)
@@ -154,6 +156,8 @@ namespace abut
           sections.parse("", [](const ParameterHandler &prm) { return prm.get_double("Contact distance"); });
       scene.tells_condition = sections.parse(
           "Output", [](const ParameterHandler &prm) { return prm.get_bool("Condition numbers"); });
+      scene.writes_report =
+          sections.parse("Output", [](const ParameterHandler &prm) { return prm.get_bool("Report"); });
       scene.output_directory =
           sections.parse("Output", [](const ParameterHandler &prm) { return prm.get("Directory"); });
       if (scene.output_directory.empty())

@@ -174,14 +174,14 @@ namespace
     const fs::path folder = fs::path(file.directory()) / "out";
     make_output_directory(folder);
     write_file(folder / "solution.svg", "stale");
-    const Written written = write_all(results, History(), folder, 1.);
+    const Written written = write_all(results, History(), PassDrawings(), folder, 1.);
     std::vector<std::string> names;
     for (const auto &entry : fs::directory_iterator(folder))
       names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     EXPECT_EQ(names, (std::vector<std::string>{"contact_interface.csv", "history.csv", "parameters.prm",
-                                               "solution.pvd", "solution.svg", "solution_lower.vtu",
-                                               "solution_upper.vtu", "summary.json"}));
+                                               "report.html", "solution.pvd", "solution.svg",
+                                               "solution_lower.vtu", "solution_upper.vtu", "summary.json"}));
     EXPECT_EQ(content_of(folder / "parameters.prm"), scene.parameters);
     EXPECT_NE(content_of(folder / "solution.svg"), "stale");
     EXPECT_TRUE(written.left_out.empty());
@@ -192,10 +192,14 @@ namespace
 
   TEST_F(ReportedScene, AFailedRunLeavesNoSummary)
   {
-    const fs::path folder = file.directory();
-    write_file(folder / "summary.json", "{}");
-    fs::create_directories(folder / "solution_upper.vtu" / "in the way");
-    EXPECT_THROW(write_all(results, History(), folder, 1.), UserError);
-    EXPECT_FALSE(fs::exists(folder / "summary.json"));
+    for (const std::string blocked : {"solution_upper.vtu", "report.html"})
+    {
+      const fs::path folder = fs::path(file.directory()) / ("without " + blocked);
+      make_output_directory(folder);
+      write_file(folder / "summary.json", "{}");
+      fs::create_directories(folder / blocked / "in the way");
+      EXPECT_THROW(write_all(results, History(), PassDrawings(), folder, 1.), UserError) << blocked;
+      EXPECT_FALSE(fs::exists(folder / "summary.json")) << blocked;
+    }
   }
 } // namespace

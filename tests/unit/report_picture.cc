@@ -37,7 +37,7 @@ namespace
   TEST_F(ReportedScene, PictureIsWellFormedAndHasEveryCell)
   {
     scene.file = "folder/a & <b>.prm";
-    const std::string text = picture(results);
+    const std::string text = picture(results, deformed_scene(results));
     const ptree svg = parse_xml(text).get_child("svg");
     EXPECT_EQ(svg.get<std::string>("g.text"), "a & <b>.prm");
     std::size_t cells = 0;

@@ -25,6 +25,7 @@ namespace abut
   {
     std::string label;
     bool logarithmic = false;
+    bool has_zero = false; ///< zero is in the range, whatever the values are
   };
 
   /// A diagram with one legend for all of its curves.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/report/history.h>
+#include <abut/report/page/pass_drawings.h>
 #include <abut/results/results.h>
 
 #include <string>
@@ -16,7 +17,8 @@ namespace abut
     std::vector<std::string> left_out; ///< files that were not written, and why
   };
 
-  /// Removes an earlier run's summary and picture: they would speak for a run that ends without results.
+  /// Removes an earlier run's summary, page and picture: they would speak for a run that ends without
+  /// results.
   void remove_old_results(const std::string &directory);
 
   /**
@@ -25,6 +27,6 @@ namespace abut
    * belongs to it. It counts the time of the writing to that of the results and to `total_seconds`. Throws
    * UserError.
    */
-  Written write_all(const Results &results, const History &history, const std::string &directory,
-                    double total_seconds);
+  Written write_all(const Results &results, const History &history, PassDrawings drawings,
+                    const std::string &directory, double total_seconds);
 } // namespace abut

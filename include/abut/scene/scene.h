@@ -22,6 +22,7 @@ namespace abut
     std::string file; ///< name of the parameter file, for messages
     std::string output_directory;
     bool tells_condition = false;             ///< summary.json has the condition numbers
+    bool writes_report = true;                ///< report.html
     std::vector<BodyDescription> bodies;      ///< in the order of the list `Bodies`
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
     bool finds_contacts = false;  ///< `Contacts = automatic`: the list is empty, see with_found_contacts
