@@ -20,7 +20,7 @@ namespace abut
     /// See `mark`.
     CellMarks (*mark)(const CellErrors &errors, const Eigen::VectorXd &eta,
                       const AdaptationParameters &parameters) = nullptr;
-    bool needs_tolerance = false; ///< chooses among the cells of all bodies, see goal_marks: `mark` is null
     bool needs_limit = false;     ///< splits the cells above Limit, which then is above 0
+    bool needs_tolerance = false; ///< chooses among the cells of all bodies, see goal_marks: `mark` is null
   };
 } // namespace abut
