@@ -113,6 +113,43 @@ TEST(SceneStudy, tells_what_a_variant_sets_beside_the_common_overrides)
   EXPECT_EQ(study.variants[1].parameters, (std::vector<std::string>{"e"}));
 }
 
+TEST(SceneStudy, crosses_variants_load_cases_and_sweeps)
+{
+  const SceneFile file(two_squares);
+  const StudyParameters study =
+      file.read({"Study/Variants=one: a/b=1; two:", "Study/Load cases=light: c/d=1; heavy: c/d=2",
+                 "Study/Sweep=Constants / Values = 1e-3, 2 | if(x|y, 1, 2); e/f=4|5|6"})
+          .study;
+  ASSERT_EQ(study.variants.size(), 24u);
+  const StudyParameters::Variant &last = study.variants.back();
+  EXPECT_EQ(last.name, "two, heavy, Constants/Values=if(x|y, 1, 2), e/f=6");
+  EXPECT_EQ(last.load_case, "heavy");
+  EXPECT_EQ(last.overrides, (std::vector<std::string>{"c/d=2", "Constants/Values=if(x|y, 1, 2)", "e/f=6"}));
+  EXPECT_EQ(last.parameters, (std::vector<std::string>{"c/d", "Constants/Values", "e/f"}));
+  const std::vector<std::pair<std::string, std::string>> swept = {{"Constants/Values", "1e-3, 2"},
+                                                                  {"e/f", "4"}};
+  EXPECT_EQ(study.variants.front().swept, swept);
+}
+
+TEST(SceneStudy, sweeps_without_variants)
+{
+  const SceneFile file(two_squares);
+  const StudyParameters study = file.read({"Study/Common=a/b=1", "Study/Sweep=c/d = 1 | 2"}).study;
+  ASSERT_EQ(study.variants.size(), 2u);
+  EXPECT_EQ(study.variants[1].name, "c/d=2");
+  EXPECT_EQ(study.variants[1].overrides, (std::vector<std::string>{"a/b=1", "c/d=2"}));
+}
+
+TEST(SceneStudy, refuses_what_is_no_sweep)
+{
+  expect_refused({"Study/Sweep=a/b"}, "Study/Sweep: received `a/b`, a sweep is written Section/Name = value");
+  expect_refused({"Study/Sweep==1|2"}, "a sweep is written Section/Name = value");
+  expect_refused({"Study/Sweep=a/b=1|1"}, "received `1` twice for a/b");
+  expect_refused({"Study/Sweep=a/b=1||2"}, "received an empty value for a/b");
+  expect_refused({"Study/Sweep=a/b=1; a / b=2"}, "a/b is swept twice");
+  expect_refused({"Study/Reference=coarse run"}, "Reference");
+}
+
 TEST(SceneStudy, refuses_what_is_no_list)
 {
   expect_refused({"Study/Variants=one"}, "a variant is written name:");
