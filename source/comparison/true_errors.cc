@@ -28,13 +28,14 @@ namespace abut
     Squares compare(const OwnStress &exact, const BodyResult &result)
     {
       const std::vector<StressSample> samples = precise_samples(result);
-      const Material material = result.body->material();
+      const std::vector<CellInfo> cells = result.body->cells();
       const std::vector<Stress> stresses = at_samples(exact, samples);
       Squares squares;
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
         const Stress error = samples[i].computed - stresses[i];
         const double weight = samples[i].weight;
+        const Material &material = cells[samples[i].cell].material;
         squares.energy_error += weight * material.energy_density(error);
         squares.energy += weight * material.energy_density(stresses[i]);
         squares.stress_error += weight * error.square();
