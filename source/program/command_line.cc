@@ -87,12 +87,16 @@ namespace abut
 
     int study(const Arguments &arguments, std::ostream &out, std::ostream &err)
     {
-      const std::vector<std::string> failed =
+      if (arguments.check)
+      {
+        check_study(arguments.file, arguments.overrides, out);
+        return ExitStatus::converged;
+      }
+      const std::vector<std::string> complaints =
           run_study(arguments.file, arguments.overrides, arguments.quiet, out);
-      for (const std::string &name : failed)
-        err << "abut: " << arguments.file << ": the variant `" << name
-            << "` has not reached what it was asked for; run it by itself to see why\n";
-      return status_of(failed.empty());
+      for (const std::string &complaint : complaints)
+        err << "abut: " << arguments.file << ": " << complaint << '\n';
+      return status_of(complaints.empty());
     }
 
     int schemes(const Arguments &arguments, std::ostream &out, std::ostream & /*err*/)

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <limits>
-#include <sstream>
 
 namespace abut
 {
@@ -56,40 +55,44 @@ namespace abut
 
   std::string quality_table(const StudyRun &run)
   {
-    std::vector<std::vector<std::string>> table{{run.name, "unknowns", "error"}};
+    std::vector<std::vector<std::string>> table{{run.name(), "unknowns", "error"}};
     for (const CellPart &part : cell_parts())
       table.front().push_back(part.shown.empty() ? "effectivity" : part.shown.substr(1));
     for (const CellPart &part : cell_parts())
       table.front().push_back(part.shown.empty() ? "C" : part.shown.substr(1));
     table.front().insert(table.front().end(), {"correlation", "of ranks"});
-    for (const PassRecord &pass : run.passes)
-      if (pass.quality)
-        table.push_back(quality_cells(pass));
+    for (const StudyPass &pass : run.passes)
+      if (pass.record.quality)
+        table.push_back(quality_cells(pass.record));
     return table.size() > 1 ? aligned(table) : std::string();
   }
 
-  std::string quality_header()
+  std::vector<std::string> quality_names()
   {
-    std::string names;
-    for (const CellPart &part : cell_parts())
-      names += (part.written.empty() ? std::string() : ",effectivity" + part.written) + ",better_ratio" +
-               part.written;
-    return names + ",pearson,spearman";
-  }
-
-  std::string quality_row(const PassRecord &pass)
-  {
-    if (!pass.quality)
-      return std::string(9, ',');
-    const EstimatorQuality &quality = *pass.quality;
-    std::ostringstream out;
+    std::vector<std::string> names;
     for (const CellPart &part : cell_parts())
     {
       if (!part.written.empty()) // that of all cells stands among the other columns
-        out << ',' << exact_number(effectivity(quality, part));
-      out << ',' << exact_number(better_ratio(quality, part));
+        names.push_back("effectivity" + part.written);
+      names.push_back("better_ratio" + part.written);
     }
-    out << ',' << exact_number(quality.pearson) << ',' << exact_number(quality.spearman);
-    return out.str();
+    names.insert(names.end(), {"pearson", "spearman"});
+    return names;
+  }
+
+  std::vector<double> quality_values(const PassRecord &pass)
+  {
+    if (!pass.quality)
+      return std::vector<double>(quality_names().size(), std::numeric_limits<double>::quiet_NaN());
+    const EstimatorQuality &quality = *pass.quality;
+    std::vector<double> values;
+    for (const CellPart &part : cell_parts())
+    {
+      if (!part.written.empty())
+        values.push_back(effectivity(quality, part));
+      values.push_back(better_ratio(quality, part));
+    }
+    values.insert(values.end(), {quality.pearson, quality.spearman});
+    return values;
   }
 } // namespace abut

@@ -52,7 +52,11 @@ namespace abut::testing
 
   Answer run(std::vector<std::string> arguments)
   {
-    const std::string directory = new_path().string();
+    return run_in(new_path().string(), std::move(arguments));
+  }
+
+  Answer run_in(const std::string &directory, std::vector<std::string> arguments)
+  {
     arguments.insert(arguments.begin(), "abut");
     arguments.insert(arguments.end(), {"--output", directory});
     std::vector<const char *> argv;

@@ -21,6 +21,9 @@ namespace abut::testing
   /// Runs the program's command line in this process, with `--output` set to a new folder of the test's own.
   Answer run(std::vector<std::string> arguments);
 
+  /// The same with a folder of the caller's.
+  Answer run_in(const std::string &directory, std::vector<std::string> arguments);
+
   /// Runs a scene of the project's folder `prm` with overrides `Section/Name=value`.
   Answer run_scene(const std::string &scene, const std::vector<std::string> &overrides = {});
 

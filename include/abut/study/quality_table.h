@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/study/study_table.h>
+#include <abut/study/study_run.h>
 
 namespace abut
 {
@@ -13,8 +13,8 @@ namespace abut
    */
   std::string quality_table(const StudyRun &run);
 
-  /// The names of the same figures in study.csv, each after a comma.
-  std::string quality_header();
-  /// The figures of a pass, each after a comma; empty where nothing is known.
-  std::string quality_row(const PassRecord &pass);
+  /// The names of the same figures in study.csv.
+  std::vector<std::string> quality_names();
+  /// The figures of a pass; not a number where nothing is known.
+  std::vector<double> quality_values(const PassRecord &pass);
 } // namespace abut

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/results/results.h>
+
+#include <string>
+#include <vector>
+
+namespace abut
+{
+  /// What a solution says of one contact.
+  struct ContactQuantities
+  {
+    std::string name;
+    double force = 0.;          ///< normal force
+    double max_pressure = 0.;   ///< largest reported pressure
+    double contact_length = 0.; ///< of what presses
+  };
+
+  /// What a study asks of a solution, in the user's units.
+  struct Quantities
+  {
+    std::vector<ContactQuantities> contacts;
+    double max_von_mises = 0.; ///< over the output points of all bodies
+    double strain_energy = 0.; ///< of all bodies
+
+    double force() const;          ///< sum over the contacts
+    double max_pressure() const;   ///< largest
+    double contact_length() const; ///< sum
+  };
+
+  Quantities quantities_of(const Solution &solution);
+} // namespace abut
