@@ -6,7 +6,7 @@
 #include <abut/study/result_file.h>
 #include <abut/study/study.h>
 #include <abut/study/study_data.h>
-#include <abut/study/study_data.h>
+#include <abut/study/study_page.h>
 #include <abut/study/study_table.h>
 #include <abut/study/variants.h>
 
@@ -90,6 +90,7 @@ namespace abut
   {
     const Scene scene = read_study(file, overrides);
     const std::vector<ReadVariant> variants = read_variants(scene, overrides);
+    const std::vector<StudyLine> peers = read_peers(scene);
     make_output_directory(scene.output_directory);
     FineRuns fine_runs(scene.output_directory, quiet ? nullptr : &out);
     std::vector<StudyRun> runs;
@@ -102,9 +103,12 @@ namespace abut
       if (!quiet)
         print_run(runs.back(), out);
     }
-    const std::string path = write_result(scene, "study.csv", csv(study_data(runs)));
+    const StudyData data = study_data(runs);
+    const std::string table = write_result(scene, "study.csv", csv(data));
+    const std::string page =
+        write_result(scene, "study.html", study_page(scene, data, study_lines(runs, peers)));
     if (!quiet)
-      out << "  The same in " << path << '\n';
+      out << "  The same in " << table << ", with diagrams in " << page << '\n';
     return complaints(runs);
   }
 
@@ -122,5 +126,6 @@ namespace abut
             << simulation.pairs().size() << " contacts, " << simulation.counts().cells << " cells, "
             << simulation.counts().dofs << " unknowns\n";
       });
+    read_peers(scene);
   }
 } // namespace abut
