@@ -8,7 +8,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <boost/math/special_functions/bessel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +87,41 @@ namespace abut
       return sum;
     }
 
+    void add_with_images(const PressurePiece &piece, const double length,
+                         std::vector<PressureSegment> &segments)
+    {
+      const std::array<double, 4> legendre = to_legendre(piece.coefficients);
+      segments.push_back({0., piece.start, piece.end, legendre});
+      segments.push_back({0., -piece.end, -piece.start, mirrored(legendre)});
+      segments.push_back({length, length - piece.end, length - piece.start, mirrored(legendre)});
+    }
+
+    /// j_0 ... j_3 for x > 0: series below 1, where the closed forms cancel.
+    std::array<double, 4> spherical_bessel(const double x)
+    {
+      std::array<double, 4> j{};
+      if (x >= 1.)
+      {
+        j[0] = std::sin(x) / x;
+        j[1] = (j[0] - std::cos(x)) / x;
+        for (std::size_t n = 1; n < 3; ++n)
+          j[n + 1] = double(2 * n + 1) / x * j[n] - j[n - 1];
+        return j;
+      }
+      double first = 1.; // x^n/(2n+1)!!
+      for (std::size_t n = 0; n < 4; ++n)
+      {
+        double term = first;
+        for (int i = 1; i <= 10; ++i)
+        {
+          j[n] += term;
+          term *= -.5 * x * x / (i * double(2 * n + 2 * std::size_t(i) + 1));
+        }
+        first *= x / double(2 * n + 3);
+      }
+      return j;
+    }
+
     std::vector<PressurePiece> checked_pieces(std::vector<PressurePiece> pieces, const double length)
     {
       const auto is_left = [](const PressurePiece &a, const PressurePiece &b) { return a.start < b.start; };
@@ -106,16 +140,10 @@ namespace abut
   PiecewisePressure::PiecewisePressure(const double length, const std::vector<PressurePiece> &pieces)
       : length_(length), pieces_(checked_pieces(pieces, length)), rest_(length, moments_of(pieces_, length))
   {
+    std::vector<PressureSegment> segments;
     for (const PressurePiece &piece : pieces_)
-      add_with_images(piece);
-  }
-
-  void PiecewisePressure::add_with_images(const PressurePiece &piece)
-  {
-    const std::array<double, 4> legendre = to_legendre(piece.coefficients);
-    segments_.push_back({0., piece.start, piece.end, legendre});
-    segments_.push_back({0., -piece.end, -piece.start, mirrored(legendre)});
-    segments_.push_back({length_, length_ - piece.end, length_ - piece.start, mirrored(legendre)});
+      add_with_images(piece, length, segments);
+    poles_ = PoleSum(std::move(segments));
   }
 
   double PiecewisePressure::value(const double x) const
@@ -179,10 +207,10 @@ namespace abut
       {
         const double lambda = double(k) * pieces_pi / length_;
         const double phase = lambda * (piece.start + half);
-        const auto bessel = [&](unsigned int n) { return boost::math::sph_bessel(n, lambda * half); };
+        const std::array<double, 4> bessel = spherical_bessel(lambda * half);
         result(k) += 4. * half / length_ *
-                     (std::cos(phase) * (c[0] * bessel(0) - c[2] * bessel(2)) -
-                      std::sin(phase) * (c[1] * bessel(1) - c[3] * bessel(3)));
+                     (std::cos(phase) * (c[0] * bessel[0] - c[2] * bessel[2]) -
+                      std::sin(phase) * (c[1] * bessel[1] - c[3] * bessel[3]));
       }
     }
     return result;
@@ -192,7 +220,7 @@ namespace abut
   {
     const double inside = std::abs(std::remainder(x, 2. * length_));
     double sum = 0.;
-    for (const Segment &segment : segments_)
+    for (const PressureSegment &segment : poles_.segments())
     {
       const double from_start = inside - segment.origin - segment.start;
       const double from_end = inside - segment.origin - segment.end;
@@ -211,34 +239,12 @@ namespace abut
     Assert(depth >= 0., dealii::ExcMessage("a depth is measured downwards"));
     const double inside = std::remainder(x, 2. * length_);
     const std::complex<double> z(std::abs(inside), depth);
-    const Potential poles = pole_part(z);
+    const Potential poles = poles_(z);
     const Potential rest = rest_.complex_potential(z);
     const std::complex<double> value = poles.value + rest.value;
     const std::complex<double> slope = depth > 0. ? poles.slope + rest.slope : 0.;
     if (inside < 0.) // p is even: G(-conj z) = conj G(z)
       return {std::conj(value), -std::conj(slope)};
     return {value, slope};
-  }
-
-  // The slope by (tau^2 - 1) Q_n' = n (tau Q_n - Q_{n-1}) and (tau^2 - 1) Q_0' = -1.
-  PeriodicPressure::Potential PiecewisePressure::pole_part(const std::complex<double> z) const
-  {
-    Potential sum{0., 0.};
-    for (const Segment &segment : segments_)
-    {
-      const std::complex<double> from_start = z - segment.origin - segment.start;
-      const std::complex<double> from_end = z - segment.origin - segment.end;
-      const double half = 0.5 * (segment.end - segment.start);
-      const std::complex<double> tau = 0.5 * (from_start + from_end) / half;
-      const LegendreSecondKind q = legendre_second_kind(from_start, from_end);
-      const std::array<double, 4> &c = segment.legendre;
-      sum.value += c[0] * q[0] + c[1] * q[1] + c[2] * q[2] + c[3] * q[3];
-      const std::complex<double> slope = c[1] * (tau * q[1] - q[0]) + 2. * c[2] * (tau * q[2] - q[1]) +
-                                         3. * c[3] * (tau * q[3] - q[2]) - c[0];
-      const std::complex<double> square = from_start * from_end;
-      sum.slope += half / std::norm(square) * std::conj(square) * slope;
-    }
-    const std::complex<double> factor(0., 2. / pieces_pi);
-    return {factor * sum.value, factor * sum.slope};
   }
 } // namespace abut

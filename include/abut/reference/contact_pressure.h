@@ -34,12 +34,14 @@ namespace abut
     Potential complex_potential(double x, double depth) const override;
 
   private:
+    void find_image_weights();
     Potential pole_part(std::complex<double> z) const;
     Potential image_part(std::complex<double> z) const;
 
     SineBasis basis_;
     Eigen::VectorXd coefficients_;
-    Eigen::VectorXd weighted_;          // p(x_q) times the weight of the node x_q
-    Eigen::VectorXcd node_exponential_; // exp(-i pi x_q/l)
+    Eigen::VectorXd weighted_;                    // p(x_q) times the weight of the node x_q
+    Eigen::VectorXd image_nodes_, image_weights_; // for the kernel without its pole
+    Eigen::VectorXcd node_exponential_;           // exp(-i pi x_q/l) of them
   };
 } // namespace abut

@@ -3,6 +3,7 @@
 
 #include <abut/reference/mirror_rest.h>
 #include <abut/reference/periodic_pressure.h>
+#include <abut/reference/pole_sum.h>
 
 #include <array>
 #include <vector>
@@ -43,26 +44,13 @@ namespace abut
     double integrate_against(const std::function<double(double)> &f) const override;
     Eigen::VectorXd modes(Eigen::Index n_modes) const override;
     double potential(double x) const override;
-    /// About 50 ns for a piece and as much for each of its two images.
+    /// Costs little more for many pieces than for a few.
     Potential complex_potential(double x, double depth) const override;
 
   private:
-    /// A piece or an image of it: sum_n c_n P_n between origin + start and origin + end. Positions are kept
-    /// as distances from the mirror (0 or l), which are exact.
-    struct Segment
-    {
-      double origin;
-      double start;
-      double end;
-      std::array<double, 4> legendre;
-    };
-
-    void add_with_images(const PressurePiece &piece);
-    Potential pole_part(std::complex<double> z) const;
-
     double length_;
     std::vector<PressurePiece> pieces_; // those that are not zero, from left to right
-    std::vector<Segment> segments_;     // pieces and their images
+    PoleSum poles_;                     // of pieces and their images
     MirrorRest rest_;
   };
 } // namespace abut
