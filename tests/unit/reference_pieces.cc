@@ -73,6 +73,39 @@ namespace abut
     EXPECT_DOUBLE_EQ(pressure.value(rough_length), exact_value(pieces.back(), rough_length));
   }
 
+  // Groups of pieces are summed by their moments: one polynomial, cut into pieces that shrink towards its
+  // end.
+  TEST(PiecewisePressure, complex_potential_does_not_feel_how_it_is_cut)
+  {
+    const auto cubic = [](double x) { return 2. - x + 3. * x * x - 1.5 * x * x * x; };
+    const auto piece = [&](double start, double end) {
+      const double h = end - start; // Taylor's series in t = (x - start)/h
+      return PressurePiece{start,
+                           end,
+                           {{cubic(start), h * (-1. + 6. * start - 4.5 * start * start),
+                             h * h * (3. - 4.5 * start), -1.5 * h * h * h}}};
+    };
+    std::vector<PressurePiece> pieces;
+    double start = 0.;
+    for (int i = 0; i < 120; ++i)
+    {
+      const double end = i == 119 ? 1.2 : start + .1 * (1.2 - start);
+      pieces.push_back(piece(start, end));
+      start = end;
+    }
+    const PiecewisePressure whole(4., {piece(0., 1.2)}), cut(4., pieces);
+    for (const double x : {0., .3, 1.19999, 1.2001, 1.7, 2.9, 4.})
+      for (const double depth : {1e-5, .01, .4, 2.})
+      {
+        const PeriodicPressure::Potential a = whole.complex_potential(x, depth),
+                                          b = cut.complex_potential(x, depth);
+        const double allowed = 1e-13 + 1e-16 / std::hypot(x - 1.2, depth); // round-off of places at the jump
+        EXPECT_LT(std::abs(a.value - b.value), allowed) << x << ' ' << depth;
+        EXPECT_LT(depth * std::abs(a.slope - b.slope), allowed) << x << ' ' << depth;
+      }
+    EXPECT_LT((whole.modes(60) - cut.modes(60)).cwiseAbs().maxCoeff(), 1e-14);
+  }
+
   TEST(PiecewisePressure, complex_potential_is_its_series)
   {
     const PiecewisePressure pressure(rough_length, rough_pieces());
