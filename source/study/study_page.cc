@@ -112,7 +112,7 @@ namespace abut
       return false;
     }
 
-    /// Whether a column is left out in print, which has no room for all: numbers but the most important ones.
+    /// Whether a column is left out in print, which has no room for all of them.
     bool is_detail(const std::string &column, const StudyCell &cell)
     {
       static const std::set<std::string> printed = {"pass",
@@ -130,7 +130,16 @@ namespace abut
                                                     "max_pressure",
                                                     "contact_length",
                                                     "max_von_mises"};
-      return std::holds_alternative<double>(cell) && printed.count(column) == 0;
+      return column == "reference" || (std::holds_alternative<double>(cell) && printed.count(column) == 0);
+    }
+
+    /// The name of a column, which may go on in another line behind an underscore.
+    std::string breakable(const std::string &column)
+    {
+      std::string text;
+      for (const char c : xml_text(column))
+        text += c == '_' ? std::string("_<wbr>") : std::string(1, c);
+      return text;
     }
 
     std::string shown_cell(const StudyCell &cell)
@@ -153,16 +162,14 @@ namespace abut
           {
             const StudyCell &first = data.rows.front()[i];
             const bool is_text = std::holds_alternative<std::string>(first);
-            out << '<' << element
-                << (is_text                             ? " class=\"text\""
-                    : is_detail(data.columns[i], first) ? " class=\"detail\""
-                                                        : "")
-                << '>' << shown(i) << "</" << element << '>';
+            out << '<' << element << " class=\"" << (is_text ? "text" : "number")
+                << (is_detail(data.columns[i], first) ? " detail" : "") << "\">" << shown(i) << "</"
+                << element << '>';
           }
         out << "</tr>\n";
       };
       out << "<div class=\"scroll\"><table>\n<thead>";
-      write_row([&](const std::size_t i) { return xml_text(data.columns[i]); }, "th");
+      write_row([&](const std::size_t i) { return breakable(data.columns[i]); }, "th");
       out << "</thead>\n<tbody>\n";
       for (const std::vector<StudyCell> &row : data.rows)
         write_row([&](const std::size_t i) { return shown_cell(row[i]); }, "td");
@@ -222,8 +229,9 @@ marking a part of the diagram enlarges it, a double click shows all.</p></div>
         << "</p>\n"
         << controls << static_figures(lines, errors) << "<h2>All passes</h2>\n"
         << table_of(data) << "<script type=\"application/json\" id=\"study-data\">" << script_json(json)
-        << "</script>\n<script>" << uplot_script << "</script>\n<script>" << page_script
-        << "</script>\n</body>\n</html>\n";
+        << "</script>\n<script>\n/*\n"
+        << uplot_license << "*/\n"
+        << uplot_script << "</script>\n<script>" << page_script << "</script>\n</body>\n</html>\n";
     return out.str();
   }
 } // namespace abut

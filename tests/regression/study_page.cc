@@ -84,6 +84,7 @@ namespace
     EXPECT_EQ(occurrences(page, "<script src"), 0u);
     EXPECT_EQ(occurrences(page, "<link"), 0u);
     EXPECT_EQ(occurrences(page, "<?xml"), 0u);
+    EXPECT_NE(page.find("Copyright (c) 2022 Leon Sorokin"), std::string::npos); // of uPlot, with its licence
   }
 
   TEST(StudyPage, TellsTheOrderOfPointsOnAStraightLine)
