@@ -4,6 +4,7 @@
 #include <abut/study/fine_run.h>
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 

@@ -94,22 +94,32 @@ namespace abut
     make_output_directory(scene.output_directory);
     FineRuns fine_runs(scene.output_directory, quiet ? nullptr : &out);
     std::vector<StudyRun> runs;
+    std::vector<std::string> failures;
     for (const ReadVariant &read : variants)
-    {
-      runs.push_back(for_variant(read.variant, [&] {
-        const auto fine = read.fine ? fine_runs.of(*read.fine) : nullptr;
-        return run_variant(read.variant, read.scene, fine.get());
-      }));
-      if (!quiet)
-        print_run(runs.back(), out);
-    }
+      try
+      {
+        runs.push_back(for_variant(read.variant, [&] {
+          const auto fine = read.fine ? fine_runs.of(*read.fine) : nullptr;
+          return run_variant(read.variant, read.scene, fine.get());
+        }));
+        if (!quiet)
+          print_run(runs.back(), out);
+      }
+      catch (const ComputationError &error)
+      {
+        failures.push_back("the variant `" + read.variant.name + "` has no results: " + error.what());
+      }
+    if (runs.empty())
+      throw ComputationError(failures.front());
     const StudyData data = study_data(runs);
     const std::string table = write_result(scene, "study.csv", csv(data));
     const std::string page =
         write_result(scene, "study.html", study_page(scene, data, study_lines(runs, peers)));
     if (!quiet)
       out << "  The same in " << table << ", with diagrams in " << page << '\n';
-    return complaints(runs);
+    const std::vector<std::string> unreached = complaints(runs);
+    failures.insert(failures.end(), unreached.begin(), unreached.end());
+    return failures;
   }
 
   void check_study(const std::string &file, const std::vector<std::string> &overrides, std::ostream &out)

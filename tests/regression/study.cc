@@ -108,6 +108,27 @@ namespace
     EXPECT_EQ(unread.out, "");
   }
 
+  TEST(Study, AVariantWithoutResultsDoesNotTakeTheOthersAway)
+  {
+    const auto study = [](const std::string &variants) {
+      return run_layers_study({"Study/Common=", "Body upper/Cells=8, 2", "Body lower/Cells=8, 2",
+                               "Reference/Exact solution=none", "Study/Variants=" + variants});
+    };
+    const std::string huge = "huge: Body upper/Young modulus=1e307 | Body lower/Young modulus=1e307";
+    const Answer answer = study(huge + "; steel:");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_NE(answer.err.find("the variant `huge` has no results: Body upper"), std::string::npos)
+        << answer.err;
+    const CsvFile file(answer.directory + "/study.csv");
+    ASSERT_EQ(file.n_rows(), 1u);
+    EXPECT_EQ(file.text(0, "variant"), "steel");
+
+    const Answer none = study(huge);
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("No results were written"), std::string::npos) << none.err;
+    EXPECT_FALSE(std::filesystem::exists(none.directory + "/study.csv"));
+  }
+
   // With rollers the fine run can be held against the exact solution itself.
   class FineRun : public ::testing::Test
   {
