@@ -15,10 +15,6 @@
   let plot = null;
 
   const number = (value, digits) => Number(value.toPrecision(digits)).toString();
-  const power = value => {
-    const exponent = Math.round(Math.log10(value));
-    return Math.abs(exponent) < 4 ? number(value, 3) : "1e" + exponent;
-  };
   const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const colour = i => css("--c" + i % nColours);
   const dash = i => dashes[Math.floor(i / nColours) % dashes.length];
