@@ -31,7 +31,7 @@ namespace abut
       const std::vector<std::string> names =
           split_outside_parentheses(override.substr(0, override.find('=')), '/');
       if (names.size() == 1)
-        return names.front() != "Tolerance";
+        return names.front() != "Tolerance" && names.front() != "Goal";
       return !is_among(solving_sections, names.front()) && !is_among(solving_entries, names.back());
     }
 
@@ -47,8 +47,12 @@ namespace abut
     /// What every fine run begins with: exact contact on meshes that adapt.
     std::vector<std::string> fine_defaults(const Scene &scene)
     {
-      std::vector<std::string> overrides = {"Adaptation/Combined=false", "Adaptation/Estimate steps=0",
-                                            "Adaptation/Limit=0", "Decomposition/Scheme=newton",
+      std::vector<std::string> overrides = {"Tolerance=0",
+                                            "Goal=energy",
+                                            "Adaptation/Combined=false",
+                                            "Adaptation/Estimate steps=0",
+                                            "Adaptation/Limit=0",
+                                            "Decomposition/Scheme=newton",
                                             "Decomposition/Stopping rule=bound"};
       for (const BodyDescription &body : scene.bodies)
         if (!body.is_rigid)

@@ -77,6 +77,7 @@ namespace abut
     {
       using Record = const PassRecord &;
       return {of_record("budget_discretisation", [](Record pass) { return pass.budget.discretisation; }),
+              of_record("budget_contact", [](Record pass) { return pass.budget.contact; }),
               of_record("budget_iteration", [](Record pass) { return pass.budget.iteration; }),
               of_record("budget_penalty", [](Record pass) { return pass.budget.penalty; }),
               of_record("budget_linear_algebra", [](Record pass) { return pass.budget.linear_algebra; }),

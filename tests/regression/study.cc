@@ -78,7 +78,8 @@ namespace
     {
       EXPECT_EQ(file.number(row, "budget_discretisation"), file.number(row, "error_discretisation"));
       double squares = 0.;
-      for (const std::string part : {"discretisation", "iteration", "penalty", "linear_algebra", "geometry"})
+      for (const std::string part :
+           {"discretisation", "contact", "iteration", "penalty", "linear_algebra", "geometry"})
         if (const double error = file.number(row, "budget_" + part); std::isfinite(error))
           squares += error * error;
       EXPECT_NEAR(file.number(row, "budget_estimate"), std::sqrt(squares), 1e-14);
