@@ -50,12 +50,16 @@ namespace abut
 
   namespace
   {
-    const Registered<MarkingEntry>
-        registered_automatic_marking({"automatic",
-                                      "with a Tolerance: the fewest cells of all bodies together that bring "
-                                      "the error below it, but no more "
-                                      "than carry nine tenths of its square",
-                                      nullptr, true});
+    MarkingEntry automatic_marking_entry()
+    {
+      MarkingEntry entry{"automatic",
+                         "with a Tolerance: the fewest cells of all bodies together that bring the "
+                         "error below it, but no more than carry nine tenths of its square"};
+      entry.needs_tolerance = true;
+      return entry;
+    }
+
+    const Registered<MarkingEntry> registered_automatic_marking(automatic_marking_entry());
   } // namespace
 
   CellMarks mark(const CellErrors &errors, const Eigen::VectorXd &eta, const AdaptationParameters &parameters)

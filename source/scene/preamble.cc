@@ -5,18 +5,30 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <regex>
 
 namespace abut
 {
   namespace
   {
+    bool is_letter(const char c)
+    {
+      return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    }
+
+    /// Whether a text that is not empty has no other characters. Regular expressions take milliseconds to
+    /// make.
+    bool consists_of_letters_digits_and(const std::string &text, const std::string &others)
+    {
+      return !text.empty() && std::all_of(text.begin(), text.end(), [&](const char c) {
+        return is_letter(c) || (c >= '0' && c <= '9') || others.find(c) != std::string::npos;
+      });
+    }
+
     void check_names(const std::vector<std::string> &names, const std::string &list)
     {
-      static const std::regex allowed("[A-Za-z0-9_.-]+");
       for (auto name = names.begin(); name != names.end(); ++name)
       {
-        if (!std::regex_match(*name, allowed))
+        if (!consists_of_letters_digits_and(*name, "_.-"))
           throw UserError(list + ": received the name `" + *name +
                           "`, allowed are letters, digits, underscores, hyphens and full stops");
         if (std::find(names.begin(), name, *name) != name)
@@ -26,7 +38,6 @@ namespace abut
 
     Constants parse_constants(const dealii::ParameterHandler &prm)
     {
-      static const std::regex allowed("[A-Za-z][A-Za-z0-9_]*");
       const auto names = dealii::Utilities::split_string_list(prm.get("Names"));
       const auto values =
           dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(prm.get("Values")));
@@ -36,7 +47,8 @@ namespace abut
       Constants constants;
       for (std::size_t i = 0; i < names.size(); ++i)
       {
-        if (!std::regex_match(names[i], allowed) || names[i] == "x" || names[i] == "y" || names[i] == "pi")
+        if (!consists_of_letters_digits_and(names[i], "_") || !is_letter(names[i].front()) ||
+            names[i] == "x" || names[i] == "y" || names[i] == "pi")
           throw UserError(
               "Constants/Names: received `" + names[i] +
               "`, allowed are a letter and then letters, digits or underscores, except x, y and pi");

@@ -223,7 +223,7 @@ marking a part of the diagram enlarges it, a double click shows all.</p></div>
     std::ostringstream out;
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        << "<title>Study of " << xml_text(name) << "</title>\n<style>" << uplot_style << page_style
+        << "<title>Study of " << xml_text(name) << "</title>\n<style>" << uplot_style << study_style
         << "</style>\n</head>\n<body>\n<h1>Study of " << xml_text(name) << "</h1>\n"
         << "<p>" << xml_text(scene.file) << ", abut " ABUT_VERSION ". " << xml_text(reference_text(data))
         << "</p>\n"
@@ -231,7 +231,7 @@ marking a part of the diagram enlarges it, a double click shows all.</p></div>
         << table_of(data) << "<script type=\"application/json\" id=\"study-data\">" << script_json(json)
         << "</script>\n<script>\n/*\n"
         << uplot_license << "*/\n"
-        << uplot_script << "</script>\n<script>" << page_script << "</script>\n</body>\n</html>\n";
+        << uplot_script << "</script>\n<script>" << study_script << "</script>\n</body>\n</html>\n";
     return out.str();
   }
 } // namespace abut

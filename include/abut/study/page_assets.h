@@ -7,6 +7,6 @@ namespace abut
   extern const char *const uplot_license;
   extern const char *const uplot_style;
   extern const char *const uplot_script;
-  extern const char *const page_style;
-  extern const char *const page_script;
+  extern const char *const study_style;
+  extern const char *const study_script;
 } // namespace abut
