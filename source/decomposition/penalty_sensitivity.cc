@@ -13,6 +13,8 @@ namespace abut
   {
     using Index = Eigen::Index;
 
+    constexpr int n_terms = 4;
+
     /// Inverts C + theta D on the parts in contact, with the motions in balance: H alpha = G^T p.
     class HeldOperator
     {
@@ -72,9 +74,11 @@ namespace abut
       return {};
     const Eigen::VectorXd penalties = problem.weights()(active).cwiseProduct(problem.penalties()(active));
     const HeldOperator held(problem, compliance, motions, active);
-    const Eigen::VectorXd first = held.solve(penalties.cwiseProduct(pressures(active)));
+    Eigen::VectorXd term = pressures(active), sum = Eigen::VectorXd::Zero(term.size());
+    for (int order = 0; order < n_terms; ++order)
+      sum += term = held.solve(penalties.cwiseProduct(term));
     Eigen::VectorXd change = Eigen::VectorXd::Zero(pressures.size());
-    change(active) = first + held.solve(penalties.cwiseProduct(first));
+    change(active) = sum;
     return {change.dot(compliance.apply(change).head(change.size())), std::abs(problem.normal_force(change)),
             change.cwiseAbs().maxCoeff()};
   }

@@ -79,7 +79,7 @@ namespace abut
             {"error_is_bound", pass.error_is_bound()},
             {"goal", pass.goal ? number(pass.goal->value) : Json()},
             {"goal_error", pass.goal ? number(pass.goal->total()) : Json()},
-            {"estimator_word", pass.estimator},
+            {"estimated_by", pass.estimator},
             {"error_stress", number(pass.stress)},
             {"true_error_energy", number(pass.true_errors.energy)},
             {"true_error_stress", number(pass.true_errors.stress)},

@@ -59,7 +59,7 @@ namespace
     std::cout << std::flush;
   }
 
-  std::string name_of(const testing::TestParamInfo<Case> &info)
+  std::string case_name(const testing::TestParamInfo<Case> &info)
   {
     std::string name = tolerance_scenes()[std::get<0>(info.param)].name;
     for (char &letter : name)
@@ -70,5 +70,5 @@ namespace
   INSTANTIATE_TEST_SUITE_P(All, BudgetStudy,
                            testing::Combine(testing::Range(std::size_t(0), tolerance_scenes().size()),
                                             testing::Values(1u, 2u, 3u)),
-                           name_of);
+                           case_name);
 } // namespace

@@ -136,7 +136,11 @@ EstimatorPasses::EstimatorPasses(const std::string &title, const std::string &sc
 
 void EstimatorPasses::print(const std::string &title) const
 {
-  std::cout << quality_table({title, passes_}) << std::endl;
+  StudyRun run;
+  run.variant.name = title;
+  for (const PassRecord &pass : passes_)
+    run.passes.push_back({pass, {}, {}, {}, false});
+  std::cout << quality_table(run) << std::endl;
 }
 
 void EstimatorPasses::expect_effectivity_within(const double least, const double most,

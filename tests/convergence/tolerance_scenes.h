@@ -14,7 +14,9 @@ struct ToleranceScene
   bool is_straight = true;  ///< boundary elements estimate every degree, else degree 1 only
   bool is_proved = true;    ///< the conditions of the bound are met (see why_no_bound)
   bool has_penalty = false; ///< a tolerance below the penalty's part is not to be reached
-  /// By degree, where the estimate is farther from the true error than from .8 to 1.25 times it.
+  /// By degree, where the estimate is farther from the true error than from .8 to 1.25 times it: fine meshes
+  /// on which the contact's part is the largest, which is taken on the safe side, and curved bodies of degree
+  /// 2, whose jumps are too large.
   std::map<unsigned int, std::pair<double, double>> rough = {};
 
   std::pair<double, double> estimate_limits(const unsigned int degree) const
@@ -42,7 +44,7 @@ inline std::vector<ToleranceScene> tolerance_scenes()
       {"sliding", rollers, layers},
       {"bonded", bonded, layers},
       {"sliding, E 10:1", rollers, layers + pair("2.1e6"), true, false},
-      {"sliding, E 1000:1", rollers, layers + pair("2.1e8"), true, false},
+      {"sliding, E 1000:1", rollers, layers + pair("2.1e8"), true, false, false, {{3, {.8, 1.45}}}},
       {"sliding, nu 0.49", rollers,
        layers + std::vector<std::string>{"Body upper/Poisson ratio=0.49", "Body lower/Poisson ratio=0.49"},
        true, false},
@@ -53,5 +55,11 @@ inline std::vector<ToleranceScene> tolerance_scenes()
                                          "Reference/Contact=penalised"}},
       {"flat punch", "flat-punch.prm", {"Body ground/Cells=2, 2"}},
       {"corner", "corner.prm", {"Body bracket/Cells=2, 2"}},
-      {"shrink fit", "shrink-fit.prm", {"Body disc/Cells=4, 1", "Body ring/Cells=2, 1"}, false, false}};
+      {"shrink fit",
+       "shrink-fit.prm",
+       {"Body disc/Cells=4, 1", "Body ring/Cells=2, 1"},
+       false,
+       false,
+       false,
+       {{2, {.8, 1.7}}, {3, {.8, 3.4}}}}};
 }

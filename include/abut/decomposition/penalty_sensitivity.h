@@ -15,11 +15,11 @@ namespace abut
   };
 
   /**
-   * How far a solution of the penalised problem is from that without a penalty, u_theta - u_0, by the
-   * first two terms of the expansion in theta with the parts in contact kept,
-   *   (C + theta D) dp_1 = theta D p,   (C + theta D) dp_2 = theta D dp_1,   dp = dp_1 + dp_2,
-   * whose squared energy norm is dp . C dp; with motions that contact holds in balance. `pressures`: of the
-   * solution. `motions`: null where the scheme takes none. Zero without a penalty. Throws ComputationError.
+   * How far a solution of the penalised problem is from that without a penalty, u_theta - u_0, by the first
+   * four terms of the expansion in theta with the parts in contact kept, p_0 = p and (C + theta D) p_k+1 =
+   * theta D p_k,   dp = p_1 + ... + p_4, whose squared energy norm is dp . C dp; with motions that contact
+   * holds in balance. `pressures`: of the solution. `motions`: null where the scheme takes none. Zero without
+   * a penalty. Throws ComputationError.
    */
   PenaltyChange penalty_change(const InterfaceProblem &problem, const InterfaceCompliance &compliance,
                                const MotionTerms *motions, const Eigen::VectorXd &pressures);

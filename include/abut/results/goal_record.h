@@ -12,7 +12,7 @@ namespace abut
     /// Estimated by the changes from mesh to mesh: the larger of the last one and half of that before. Empty
     /// before the third mesh.
     std::optional<double> discretisation;
-    std::optional<double> penalty; ///< first two terms of its sensitivity; empty for stresses
+    std::optional<double> penalty; ///< first terms of its expansion; empty for stresses
 
     std::optional<double> total() const
     {
