@@ -263,7 +263,7 @@ namespace abut
       entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
         return std::make_unique<KellyIndicator>();
       };
-      entry.worth = {{.7, 1.1}, {.8, 1.6}, {.7, 1.8}};
+      entry.worth = {{.7, 1.1}, {.8, 1.5}, {.7, 1.5}};
       return entry;
     }
 

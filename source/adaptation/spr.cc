@@ -218,7 +218,7 @@ namespace abut
       entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
         return std::make_unique<SPRIndicator>();
       };
-      entry.worth = {{.9, 1.9}, {1.1, 3.1}, {2.1, 6.6}};
+      entry.worth = {{.9, 1.9}, {1.1, 2.8}, {1.9, 6.6}};
       return entry;
     }
 

@@ -10,8 +10,11 @@ namespace abut
 {
   namespace
   {
+    /// A rigid body has no cells.
     void add_to_cells(const Trace &trace, const Eigen::VectorXd &of_segments, Eigen::VectorXd &cells)
     {
+      if (cells.size() == 0)
+        return;
       for (std::size_t i = 0; i < trace.segments().size(); ++i)
         cells[trace.segments()[i].cell] += of_segments[static_cast<Eigen::Index>(i)];
     }

@@ -46,7 +46,8 @@ TEST(Program, WritesTheFilesOfTheContract)
             "effectivity,effectivity_total,normal_force,max_pressure,"
             "wall_time_s,true_error_pressure,true_error_force,"
             "error_stress,change,step_discretisation,step_bound,step_true_error,"
-            "step_discretisation_ratio,step_bound_ratio");
+            "step_discretisation_ratio,step_bound_ratio,error_contact,error_linear_algebra,"
+            "error_geometry,error_bound,error_estimate");
 }
 
 TEST(Program, ParametersCanBeRunAgain)

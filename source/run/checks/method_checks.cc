@@ -51,7 +51,7 @@ namespace abut
     /// That only boundary elements see what a body's displacement jumps by where it is equal in the mean.
     std::string estimator_blind_to_jumps(const EstimatorEntry &estimator, const Bodies &bodies)
     {
-      if (estimator.has_boundary_elements || !estimator.estimates())
+      if (estimator.has_boundary_elements || estimator.make_certifier != nullptr || !estimator.estimates())
         return "";
       for (const auto &body : bodies)
       {
@@ -65,6 +65,24 @@ namespace abut
                  "are free (Mortar): the error may be several times what it says; fe-be sees it";
       }
       return "";
+    }
+  } // namespace
+
+  namespace
+  {
+    /// What is known to be far from the truth in the budget of the last pass; empty where nothing is.
+    std::string rough_part(const std::vector<PassRecord> &passes)
+    {
+      if (passes.empty() || !passes.back().budget.discretisation)
+        return "";
+      const ErrorBudget &budget = passes.back().budget;
+      if (std::string(budget.dominant().name) != "contact")
+        return "";
+      std::ostringstream text;
+      text << "most of the estimated error is what the sides of the contact miss of its law ("
+           << 100. * budget.dominant().error
+           << " %), which is taken on the safe side: the estimate has been up to 3.4 times the true error";
+      return text.str();
     }
   } // namespace
 
@@ -102,11 +120,13 @@ namespace abut
     return warnings;
   }
 
-  Warnings all_warnings(const Scene &scene, const Model &model, const Solution &solution,
+  Warnings all_warnings(const Scene &scene, const Model &model, const Results &results,
                         const std::vector<std::string> &dropped_loads)
   {
     Warnings warnings = input_warnings(scene, model);
-    append(warnings, result_warnings(solution));
+    append(warnings, result_warnings(results));
+    if (const std::string sentence = rough_part(results.passes); !sentence.empty())
+      warnings.push_back({WarningCode::rough_estimator, sentence});
     for (const std::string &sentence : dropped_loads)
       warnings.push_back({WarningCode::dropped_load, sentence});
     append(warnings, scheme_warnings(scene));

@@ -43,6 +43,6 @@ namespace abut
   Warnings estimator_warnings(const Scene &scene, const Model &model);
 
   /// Everything that a run says. `dropped_loads`: see HeldMotions.
-  Warnings all_warnings(const Scene &scene, const Model &model, const Solution &solution,
+  Warnings all_warnings(const Scene &scene, const Model &model, const Results &results,
                         const std::vector<std::string> &dropped_loads);
 } // namespace abut
