@@ -34,7 +34,9 @@ namespace abut
         const double shearing = (force - stretching * normal).squaredNorm();
         const double lateral = lambda / (lambda + 2. * mu);
         stress += weight * (stretching * stretching * (1. + 2. * lateral * lateral) + 2. * shearing);
-        energy += weight * (stretching * stretching / (lambda + 2. * mu) + shearing / mu);
+        // What stretches one way gives way sideways rather than lose volume.
+        const double stiffness = std::min(lambda + 2. * mu, 4. * mu);
+        energy += weight * (stretching * stretching / stiffness + shearing / mu);
       }
     };
 

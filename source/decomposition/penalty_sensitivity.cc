@@ -71,7 +71,7 @@ namespace abut
     AssertDimension(pressures.size(), problem.n_pressures());
     const ActiveSet active = penalised_parts(problem, pressures);
     if (active.empty())
-      return {};
+      return {0., 0., Eigen::VectorXd::Zero(pressures.size())};
     const Eigen::VectorXd penalties = problem.weights()(active).cwiseProduct(problem.penalties()(active));
     const HeldOperator held(problem, compliance, motions, active);
     Eigen::VectorXd term = pressures(active), sum = Eigen::VectorXd::Zero(term.size());
@@ -80,6 +80,6 @@ namespace abut
     Eigen::VectorXd change = Eigen::VectorXd::Zero(pressures.size());
     change(active) = sum;
     return {change.dot(compliance.apply(change).head(change.size())), std::abs(problem.normal_force(change)),
-            change.cwiseAbs().maxCoeff()};
+            change};
   }
 } // namespace abut

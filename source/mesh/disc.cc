@@ -90,7 +90,7 @@ namespace abut
       entry.size = "radius";
       entry.has_curves = true;
       entry.make = make;
-      entry.coarse_cells = [](const std::vector<double> &) { return std::array<unsigned int, 2>{{4, 1}}; };
+      entry.coarse_cells = [](const std::vector<double> &) { return std::array<unsigned int, 2>{{4, 2}}; };
       entry.attach_curves = attach_outer_circle;
       entry.contact_depth = [](const BodyDescription &body) { return body.size.at(0); };
       return entry;

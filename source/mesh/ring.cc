@@ -38,12 +38,12 @@ namespace abut
       return reflect(reflect(quarter_ring(body), 0, "left"), 1, "bottom");
     }
 
-    /// One across, as long at the inner arc as across.
+    /// Two across, as long at the inner arc as across.
     std::array<unsigned int, 2> coarse_cells_of_ring(const std::vector<double> &size)
     {
       constexpr double least = 2., most = 64.;
-      const double along = M_PI / 2. * size.at(0) / (size.at(1) - size.at(0));
-      return {{static_cast<unsigned int>(std::lround(std::clamp(along, least, most))), 1}};
+      const double along = 2. * M_PI / 2. * size.at(0) / (size.at(1) - size.at(0));
+      return {{static_cast<unsigned int>(std::lround(std::clamp(along, least, most))), 2}};
     }
 
     ShapeEntry ring_entry(const std::string &name, const std::string &documentation,

@@ -39,11 +39,14 @@ namespace abut
     }
 
     /// Empty where what was asked for is reached or nothing was, else one sentence that tells the cause.
-    std::string limit_message(const Setup &setup, const PassRecord &pass, const std::string &cause)
+    /// `way`: what to do about a Tolerance that is not reached.
+    std::string limit_message(
+        const Setup &setup, const PassRecord &pass, const std::string &cause,
+        const std::string &way = "raise Adaptation/Maximum passes or Maximum unknowns, or the Tolerance")
     {
       const AdaptationParameters &adaptation = setup.scene.adaptation;
       if (setup.scene.has_tolerance())
-        return missed_tolerance(setup.scene, pass, "The Tolerance is not reached, " + cause);
+        return missed_tolerance(setup.scene, pass, "The Tolerance is not reached, " + cause, way);
       if (adaptation.limit == 0. ||
           (*pass.eta_max <= adaptation.limit && !adaptation.combined && pass.n_missed == 0))
         return {};
@@ -70,14 +73,15 @@ namespace abut
     const AdaptationParameters &adaptation = setup.scene.adaptation;
     const PassRecord &pass = passes.back();
     if (setup.scene.has_tolerance())
-      if (auto end = tolerance_end(setup.scene, pass))
+      if (auto end = tolerance_end(setup.scene, passes))
         return end;
     const bool by_bound = setup.scene.decomposition.stopping_rule == StoppingRule::bound;
     const bool steady = !adaptation.combined ||
                         (by_bound ? pass.iteration : pass.increment) <= setup.scene.decomposition.tolerance;
     if (adaptation.limit > 0. && *pass.eta_max <= adaptation.limit && steady && pass.n_missed == 0)
       return AdaptationEnd{"limit", setup.scene.has_tolerance()
-                                        ? limit_message(setup, pass, "Adaptation/Limit has come first")
+                                        ? limit_message(setup, pass, "Adaptation/Limit has come first",
+                                                        "lower that limit or leave it out")
                                     : adaptation.combined && !by_bound ? combined_accident(setup, iteration)
                                                                        : ""};
     if (passes.size() >= adaptation.maximum_passes)
@@ -90,6 +94,8 @@ namespace abut
 
   AdaptationEnd no_cell_to_split(const Setup &setup, const PassRecord &last)
   {
-    return {"no cell to split", limit_message(setup, last, "no cell is left that could be split")};
+    return {"no cell to split",
+            limit_message(setup, last, "no cell is left that could be split",
+                          "look for places where the stress is infinite, such as a point that is held")};
   }
 } // namespace abut

@@ -150,7 +150,7 @@ namespace abut
       estimation.estimator = indicator.name();
       if (setup.scene.adaptation.certifies())
         for (const BodyResult &body : solution.bodies)
-          if (estimation.why_uncertified.empty())
+          if (estimation.why_uncertified.empty() && !body.body->description().is_rigid)
             estimation.why_uncertified = indicator.why_uncertified(*body.body);
       return estimation;
     }

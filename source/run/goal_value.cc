@@ -56,18 +56,37 @@ namespace abut
 
     double relative_change(const double value, const double before)
     {
-      return value == before ? 0. : std::abs(value - before) / std::abs(value);
+      return value == before ? 0. : std::abs(value - before) / std::max(std::abs(value), std::abs(before));
     }
 
-    std::optional<double> by_changes(const double value, const std::vector<PassRecord> &before)
+    std::optional<double> by_changes(double value, const std::vector<PassRecord> &before)
     {
-      const std::size_t n = before.size();
-      if (n < 2)
+      if (before.size() < 2)
         return {};
-      const double last = before[n - 1].goal->value, first = before[n - 2].goal->value;
-      return std::max(relative_change(value, last), .5 * relative_change(last, first));
+      constexpr double safety = 1.5;
+      double largest = 0., weight = 1.;
+      for (auto pass = before.rbegin(); pass != before.rend() && weight > .2; ++pass, weight *= .5)
+      {
+        largest = std::max(largest, weight * relative_change(value, pass->goal->value));
+        value = pass->goal->value;
+      }
+      return safety * largest;
     }
 
+    /// What a penalty changes of the pressure at the peak.
+    double change_at_peak(const Setup &setup, const Solution &solution, const Eigen::VectorXd &pressures)
+    {
+      const PairResult &pair = pair_with_peak(solution.pairs);
+      const auto number = static_cast<std::size_t>(&pair - solution.pairs.data());
+      return std::abs(setup.model.problem().of_surface(setup.model.surface_of(number),
+                                                       pressures)[static_cast<Index>(peak_part(pair))]);
+    }
+
+    /// By value; nothing where there is none.
+    std::optional<double> by_value(const double change, const double value)
+    {
+      return value > 0. ? std::optional<double>(change / value) : std::nullopt;
+    }
   } // namespace
 
   void check_goal(const Scene &scene, const Model &model)
@@ -88,15 +107,17 @@ namespace abut
     throw UserError("Goal: received `" + scene.goal.text() + "`, but no elastic body has this point");
   }
 
-  GoalRecord goal_record(const Goal &goal, const Solution &solution,
+  GoalRecord goal_record(const Setup &setup, const Solution &solution,
                          const std::optional<PenaltyChange> &penalty, const std::vector<PassRecord> &before)
   {
+    const Goal &goal = setup.scene.goal;
     GoalRecord record;
     record.value = value_of(goal, solution);
     record.discretisation = by_changes(record.value, before);
-    if (penalty && goal.kind != Goal::Kind::stress)
-      record.penalty =
-          (goal.kind == Goal::Kind::force ? penalty->force : penalty->largest_pressure) / record.value;
+    if (penalty && goal.kind == Goal::Kind::force)
+      record.penalty = by_value(penalty->force, record.value);
+    if (penalty && goal.kind == Goal::Kind::peak_pressure)
+      record.penalty = by_value(change_at_peak(setup, solution, penalty->pressures), record.value);
     return record;
   }
 

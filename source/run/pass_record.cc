@@ -34,6 +34,16 @@ namespace abut
       }
     }
 
+    /// The share of the error that no pass makes smaller: of elastic bodies that do not adapt.
+    double staying_error(const Scene &scene, const Estimation &estimation)
+    {
+      double square = 0.;
+      for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+        if (!scene.bodies[a].adapt)
+          square += estimation.errors[a].energy.squaredNorm();
+      return square > 0. ? std::sqrt(square) / estimation.energy_norm() : 0.;
+    }
+
     void add_estimate(const Setup &setup, const PassOutcome &outcome, PassRecord &record)
     {
       const Estimation &estimation = outcome.estimation;
@@ -42,8 +52,10 @@ namespace abut
       record.stress = estimation.stress();
       record.budget = outcome.budget;
       record.estimator = estimation.estimator;
+      record.staying = staying_error(setup.scene, estimation);
+      record.is_certified = estimation.mismatch && estimation.why_uncertified.empty();
       record.estimate_reason = why_no_bound(setup.scene, outcome.solution, estimation);
-      if (estimation.mismatch && estimation.why_uncertified.empty())
+      if (record.is_certified)
         record.total = record.budget.bound();
       else if (std::isfinite(record.iteration))
         record.total = record.budget.estimate();
@@ -78,6 +90,14 @@ namespace abut
     if (setup.indicator != nullptr)
       add_estimate(setup, outcome, record);
     return record;
+  }
+
+  void correct_by_change(const PassRecord &before, PassRecord &record)
+  {
+    const auto estimated = before.budget.estimate();
+    if (record.is_certified || !record.total || !record.change || !estimated || !(*estimated > 0.))
+      return;
+    *record.total *= std::max(1., *record.change / *estimated);
   }
 
   void compare_with_exact(const Setup &setup, const PassOutcome &outcome, PassRecord &record)

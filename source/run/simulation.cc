@@ -79,8 +79,10 @@ namespace abut
   {
     PassRecord record = record_pass(setup(), outcome, carried);
     record.pass = static_cast<unsigned int>(results.passes.size());
+    if (scene_.has_tolerance() && !results.passes.empty())
+      correct_by_change(results.passes.back(), record);
     if (!scene_.goal.is_energy())
-      record.goal = goal_record(scene_.goal, outcome.solution, outcome.penalty, results.passes);
+      record.goal = goal_record(setup(), outcome.solution, outcome.penalty, results.passes);
     if (exact_)
     {
       const Stopwatch watch(outcome.times.reference);

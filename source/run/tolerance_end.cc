@@ -11,75 +11,90 @@ namespace abut
       return short_number(100. * share, 3) + " %";
     }
 
-    /// What a user can do about the largest part; for a mesh that is not fine enough `for_meshes`.
-    std::string way_out(const ErrorPart &part, const std::string &for_meshes)
+    /// What a user can do about a part that finer meshes do not make smaller; else `for_meshes`.
+    std::string way_out(const std::string &part, const std::string &for_meshes)
     {
-      const std::string name = part.name;
-      if (name == "penalty")
+      if (part == "penalty")
         return "lower Contact/Penalty coefficient, or leave it out for exact contact";
-      if (name == "geometry")
+      if (part == "geometry")
         return "raise the degree of the bodies with curved sides";
-      if (name == "iteration")
+      if (part == "iteration")
         return "lower Decomposition/Tolerance";
-      if (name == "linear_algebra")
+      if (part == "linear_algebra")
         return "change the units or the stiffness ratio, the machine's numbers do not give more digits";
       return for_meshes;
     }
 
-    /// Parts that no finer mesh makes smaller.
-    bool stays(const ErrorPart &part)
+    /// How large the error is, and where most of it is.
+    std::string size_of_error(const Scene &scene, const PassRecord &last)
     {
-      const std::string name = part.name;
-      return name == "penalty" || name == "linear_algebra";
+      const std::string asked = " where Tolerance = " + percent(scene.tolerance);
+      if (last.goal)
+      {
+        const std::optional<double> total = last.goal->total();
+        return "Goal = " + scene.goal.text() + " is " + short_number(last.goal->value, 6) + ", its error " +
+               (total ? "about " + percent(*total) : "not known yet") + asked;
+      }
+      const ErrorPart part = last.budget.dominant();
+      return std::string("the error is ") + (last.error_is_bound() ? "at most " : "about ") +
+             (last.total ? percent(*last.total) : "unknown") + asked + ", most of it " + part.name + " (" +
+             percent(part.error) + ")";
     }
-  } // namespace
 
-  std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause)
-  {
-    if (last.goal)
-    {
-      const std::optional<double> total = last.goal->total();
-      return cause + ": Goal = " + scene.goal.text() + " is " + short_number(last.goal->value, 6) +
-             ", its error " + (total ? "about " + percent(*total) : "not known yet") +
-             " where Tolerance = " + percent(scene.tolerance) +
-             "; raise Adaptation/Maximum passes or Maximum unknowns, or the Tolerance" +
-             (last.goal->penalty.value_or(0.) > .5 * scene.tolerance ? ", or lower the Penalty coefficient"
-                                                                     : "");
-    }
-    const ErrorPart part = last.budget.dominant();
-    return cause + ": the error is " + (last.error_is_bound() ? "at most " : "about ") +
-           (last.total ? percent(*last.total) : "unknown") +
-           " where Tolerance = " + percent(scene.tolerance) + ", most of it " + part.name + " (" +
-           percent(part.error) + "); " +
-           way_out(part, "raise Adaptation/Maximum passes or Maximum unknowns, or the Tolerance");
-  }
-
-  namespace
-  {
-    /// The part that no finer mesh makes smaller and that alone is above the tolerance, where the others are
+    /// The part that no finer mesh makes smaller and that alone is above the tolerance, where the mesh's is
     /// below a third of it; empty where there is none.
     std::string part_in_the_way(const Scene &scene, const PassRecord &last)
     {
+      const auto stays = [&](const std::optional<double> &part, const std::optional<double> &of_mesh) {
+        return part && of_mesh && *part > scene.tolerance && 3. * *of_mesh < *part;
+      };
       if (last.goal)
-      {
-        const double penalty = last.goal->penalty.value_or(0.);
-        const bool alone = last.goal->discretisation && 3. * *last.goal->discretisation < penalty;
-        return alone && penalty > scene.tolerance ? "penalty" : "";
-      }
-      const ErrorPart part = last.budget.dominant();
-      const bool alone = 3. * last.budget.discretisation.value_or(0.) < part.error;
-      return stays(part) && alone && part.error > scene.tolerance ? part.name : "";
+        return stays(last.goal->penalty, last.goal->discretisation) ? "penalty" : "";
+      if (stays(last.budget.penalty, last.budget.discretisation))
+        return "penalty";
+      return stays(last.budget.linear_algebra, last.budget.discretisation) ? "linear_algebra" : "";
+    }
+
+    /// Whether a goal's changes have not fallen to half over four meshes.
+    bool wanders(const std::vector<PassRecord> &passes)
+    {
+      constexpr std::size_t n_least = 8, span = 4;
+      if (!passes.back().goal || passes.size() < n_least)
+        return false;
+      const auto now = passes.back().goal->discretisation,
+                 before = passes[passes.size() - 1 - span].goal->discretisation;
+      return now && before && *now > .5 * *before;
     }
   } // namespace
 
-  std::optional<AdaptationEnd> tolerance_end(const Scene &scene, const PassRecord &last)
+  std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause,
+                               const std::string &way)
   {
+    const std::string part = last.goal ? "" : last.budget.dominant().name;
+    return cause + ": " + size_of_error(scene, last) + "; " + way_out(part, way);
+  }
+
+  std::optional<AdaptationEnd> tolerance_end(const Scene &scene, const std::vector<PassRecord> &passes)
+  {
+    const PassRecord &last = passes.back();
     if (last.error_for_tolerance() <= scene.tolerance && last.n_missed == 0)
       return AdaptationEnd{"tolerance", ""};
+    const auto missed = [&](const std::string &by, const std::string &cause, const std::string &way) {
+      return AdaptationEnd{by, missed_tolerance(scene, last, cause, way)};
+    };
     if (const std::string part = part_in_the_way(scene, last); !part.empty())
-      return AdaptationEnd{part, missed_tolerance(scene, last, "No finer mesh reaches the Tolerance")};
+      return missed(part, "No finer mesh reaches the Tolerance", way_out(part, ""));
     if (!scene.adapts())
-      return AdaptationEnd{"no body adapts", missed_tolerance(scene, last, "No body has Adapt = true")};
+      return missed("no body adapts", "No body has Adapt = true", "leave Adapt out, or set it to true");
+    if (!last.goal && last.staying.value_or(0.) > scene.tolerance)
+      return missed("no body adapts",
+                    "The bodies with Adapt = false alone have an error of " + percent(*last.staying),
+                    "let them adapt, or give them finer meshes");
+    if (wanders(passes))
+      return missed(
+          "goal", "The goal does not settle",
+          "it may be infinite there (a corner, the end of a support, an edge that presses): ask for "
+          "the force, or for a stress elsewhere");
     return {};
   }
 } // namespace abut

@@ -159,8 +159,8 @@ namespace abut
       throw UserError("Bodies: all are rigid outlines, one at least has to deform");
     check_contacts(scene);
     check_resultants(scene);
-    check_adaptation(scene);
     check_tolerance(scene);
+    check_adaptation(scene);
     check_exact_conditions(scene);
   }
 } // namespace abut

@@ -18,7 +18,7 @@ namespace abut
     case Kind::peak_pressure:
       return "peak pressure";
     case Kind::stress:
-      return "stress at (" + short_number(point.x()) + ", " + short_number(point.y()) + ")";
+      return "stress at (" + exact_number(point.x()) + ", " + exact_number(point.y()) + ")";
     }
     return {};
   }

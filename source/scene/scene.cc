@@ -141,9 +141,10 @@ namespace abut
     {
       scene.tolerance = prm.get_double("Tolerance");
       scene.goal = Goal::parse(prm.get("Goal"));
-      if (!(scene.tolerance < 1.))
+      constexpr double least = 1e-10; // what double precision leaves of stresses
+      if (!(scene.tolerance < 1.) || (scene.tolerance > 0. && scene.tolerance < least))
         throw UserError("Tolerance: received `" + prm.get("Tolerance") +
-                        "`, allowed are numbers below 1 (0.01 for one per cent)");
+                        "`, allowed are 0 and numbers from 1e-10 to below 1 (0.01 for one per cent)");
       if (!scene.has_tolerance() && !scene.goal.is_energy())
         throw UserError("Goal: received `" + prm.get("Goal") +
                         "` without a Tolerance; allowed is energy, or a Tolerance above 0");

@@ -35,7 +35,6 @@ namespace abut
         return sections_.parse(section, [&](const ParameterHandler &prm) { return numbers_of(prm, entry); });
       }
 
-    private:
       bool is_given(const std::string &section, const std::string &entry) const
       {
         return std::any_of(given_.begin(), given_.end(), [&](const ParameterLine &line) {
@@ -43,6 +42,7 @@ namespace abut
         });
       }
 
+    private:
       const std::vector<ParameterLine> &given_;
       ParameterSections &sections_;
     };
@@ -67,6 +67,16 @@ namespace abut
         return; // refused later
       const std::array<unsigned int, 2> cells = shape->coarse_cells(size);
       chooser.choose(section, "Cells", std::to_string(cells[0]) + ", " + std::to_string(cells[1]));
+    }
+
+    /// Where it differs from that of the other bodies.
+    void choose_degree(const std::string &section, Chooser &chooser)
+    {
+      const ShapeEntry *const shape = shape_in(section, chooser);
+      if (chooser.value(section, "Cell type") == "triangles")
+        chooser.choose(section, "Degree", "2");
+      else if (shape != nullptr && shape->has_curves)
+        chooser.choose(section, "Degree", "3"); // coarse cells of lower degree are no discs
     }
 
     bool deforms(const std::string &section, const Chooser &chooser)
@@ -98,8 +108,8 @@ namespace abut
       choose_first_mesh(section, chooser);
       if (deforms(section, chooser))
         chooser.choose(section, "Adapt", "true");
-      if (chooser.value(section, "Cell type") == "triangles")
-        chooser.choose(section, "Degree", "2");
+      if (!chooser.is_given("Discretisation", "Degree"))
+        choose_degree(section, chooser);
     }
     for (const std::string &name : scope.parts)
       choose_first_mesh("Part " + name, chooser);

@@ -57,7 +57,7 @@ inline std::vector<ToleranceScene> tolerance_scenes()
       {"corner", "corner.prm", {"Body bracket/Cells=2, 2"}},
       {"shrink fit",
        "shrink-fit.prm",
-       {"Body disc/Cells=4, 1", "Body ring/Cells=2, 1"},
+       {"Body disc/Cells=4, 2", "Body ring/Cells=3, 2"},
        false,
        false,
        false,

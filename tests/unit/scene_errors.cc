@@ -110,7 +110,7 @@ TEST(SceneErrors, exact_contact_with_the_scheme_neumann)
 TEST(SceneErrors, the_other_sections)
 {
   expect_refused({
-      {"Tolerance=1", "Tolerance: received `1`, allowed are numbers below 1"},
+      {"Tolerance=1", "Tolerance: received `1`, allowed are 0 and numbers from 1e-10 to below 1"},
       {"Discretisation/Degree=0", "[Integer range 1...3 (inclusive)]"},
       {"Decomposition/Scheme=jacobi",
        "Decomposition/Scheme: received `jacobi`, allowed are conjugate, neumann, newton"},

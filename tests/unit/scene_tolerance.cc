@@ -69,7 +69,7 @@ namespace
                                       "Contact interface/Master=upper:inner", "Body lower/Shape=disc",
                                       "Body lower/Size=1", "Body lower/Conditions=(0, 0): displacement: 0, 0",
                                       "Contact interface/Slave=lower:outer"});
-    EXPECT_EQ(round.bodies[0].cells, (Cells{{2, 1}}));
+    EXPECT_EQ(round.bodies[0].cells, (Cells{{3, 2}}));
     EXPECT_EQ(round.bodies[1].cells[0] % 2, 0u); // a disc needs an even number
     const Scene triangles = read_squares({"Tolerance=1e-3", "Body upper/Cell type=triangles"});
     EXPECT_EQ(triangles.bodies[0].degree, 2u);
@@ -89,12 +89,15 @@ namespace
 
   TEST(SceneTolerance, RefusesWhatDoesNotGoWithIt)
   {
-    expect_tolerance_refused({"Tolerance=1"}, "Tolerance: received `1`, allowed are numbers below 1");
+    expect_tolerance_refused({"Tolerance=1"},
+                             "Tolerance: received `1`, allowed are 0 and numbers from 1e-10 to below 1");
     expect_tolerance_refused(
         {"Tolerance=0.01", "Adaptation/Estimator=none", "Body upper/Adapt=false", "Body lower/Adapt=false"},
         "which needs an estimate");
     expect_tolerance_refused({"Adaptation/Estimator=automatic"}, "which needs a Tolerance above 0");
     expect_tolerance_refused({"Adaptation/Marking=automatic"}, "which needs a Tolerance above 0");
+    expect_tolerance_refused({"Tolerance=1e-30"}, "allowed are 0 and numbers from 1e-10");
+    expect_tolerance_refused({"Tolerance=0.01", "Adaptation/Estimator=none"}, "which needs an estimate");
     expect_tolerance_refused({"Goal=force"}, "without a Tolerance");
     expect_tolerance_refused(
         {"Tolerance=0.01", "Goal=moment"},

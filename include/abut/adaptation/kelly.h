@@ -17,7 +17,8 @@ namespace abut
    * for triangles. c makes the estimate exact for rectangles and solutions of degree p + 1: c = 1/(8 (2p +
    * 1)) for odd p. A boundary residual is half a jump. For even p, |cell|/(2 p (p + 1) (2p + 1)) times the
    * like of the residual div sigma_F + f is added (twice that for triangles); how much of it stretches and
-   * shears is guessed.
+   * shears is guessed. Near nu = 1/2, where lambda + 2 mu has no bound and errors keep their volume, 4 mu
+   * stands for it (from nu = 1/3 on).
    */
   class KellyIndicator : public Indicator
   {

@@ -120,7 +120,7 @@ namespace abut
     virtual double round_off_energy(const Eigen::VectorXd &deformation,
                                     const Eigen::VectorXd &contact_forces) const = 0;
     /// Squared energy norm, estimated, of what edges of cells change that are not the curves they stand for:
-    /// their stresses act along other normals. Zero for straight sides, NaN where the curve is not known.
+    /// their stresses act along other normals. Zero for straight sides; NaN where the curve is not known.
     virtual double geometry_energy(const Eigen::VectorXd &deformation) const = 0;
 
     // Its fields.

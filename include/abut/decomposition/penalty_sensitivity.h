@@ -9,9 +9,9 @@ namespace abut
   /// What a penalty changes of a solution; sizes.
   struct PenaltyChange
   {
-    double energy = 0.;           ///< squared energy norm
-    double force = 0.;            ///< of the sum of D_k p_k
-    double largest_pressure = 0.; ///< of a part
+    double energy = 0.;        ///< squared energy norm
+    double force = 0.;         ///< of the sum of D_k p_k
+    Eigen::VectorXd pressures; ///< of all parts
   };
 
   /**

@@ -9,8 +9,8 @@ namespace abut
   struct GoalRecord
   {
     double value = 0.; ///< force, pressure or stress
-    /// Estimated by the changes from mesh to mesh: the larger of the last one and half of that before. Empty
-    /// before the third mesh.
+    /// Estimated by the changes from mesh to mesh: 1.5 times the largest of the last one, half of that before
+    /// and a quarter of that before it. Empty before the third mesh.
     std::optional<double> discretisation;
     std::optional<double> penalty; ///< first terms of its expansion; empty for stresses
 

@@ -106,6 +106,8 @@ namespace abut
                                           ///< the bound of both together (Estimation::bound)
     std::optional<GoalRecord> goal;       ///< where the scene has a goal of its own
     ErrorBudget budget;                   ///< what the error is made of
+    std::optional<double> staying;        ///< the part of the estimated error in bodies that do not adapt
+    bool is_certified = false;            ///< by boundary elements, in all bodies
     std::string estimator;                ///< whose word the estimate is: fe-be, kelly, ...
     std::string estimate_reason;          ///< why `total` is an estimate and no bound; empty where it is one
     TrueErrors true_errors;
@@ -127,7 +129,7 @@ namespace abut
       constexpr double safety = 1.25;
       if (goal)
         return goal->total().value_or(std::numeric_limits<double>::infinity());
-      if (!total)
+      if (!total || (!is_certified && !change)) // a mesh that compares with itself may be blind
         return std::numeric_limits<double>::infinity();
       return error_is_bound() ? *total : safety * *total;
     }

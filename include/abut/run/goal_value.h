@@ -5,7 +5,7 @@
 #include <abut/mesh/cell_marks.h>
 #include <abut/results/goal_record.h>
 #include <abut/results/results.h>
-#include <abut/run/model.h>
+#include <abut/run/setup.h>
 
 namespace abut
 {
@@ -13,7 +13,7 @@ namespace abut
   void check_goal(const Scene &scene, const Model &model);
 
   /// The goal's value and error in a pass. `penalty`: what it changes, empty where that is not known.
-  GoalRecord goal_record(const Goal &goal, const Solution &solution,
+  GoalRecord goal_record(const Setup &setup, const Solution &solution,
                          const std::optional<PenaltyChange> &penalty, const std::vector<PassRecord> &before);
 
   /// Marks the cells in which the goal's value stands, in bodies that adapt: the energy norm may leave them

@@ -10,6 +10,13 @@ namespace abut
   PassRecord record_pass(const Setup &setup, const PassOutcome &outcome,
                          const std::optional<CarriedState> &carried);
 
+  /**
+   * Corrects an estimate that boundary elements have not made by what came of the one before: the solution
+   * has changed by no more than the error was (Galerkin's orthogonality on nested meshes), so that an
+   * estimate below the change was too small, and the same indicator will be so again.
+   */
+  void correct_by_change(const PassRecord &before, PassRecord &record);
+
   /// Adds true errors and the quality of the indicator; the setup knows an exact solution.
   void compare_with_exact(const Setup &setup, const PassOutcome &outcome, PassRecord &record);
 } // namespace abut

@@ -10,8 +10,10 @@ namespace abut
 {
   /// Whether a scene with a Tolerance has reached it with the last pass, or cannot by more cells; empty where
   /// the next mesh may.
-  std::optional<AdaptationEnd> tolerance_end(const Scene &scene, const PassRecord &last);
+  std::optional<AdaptationEnd> tolerance_end(const Scene &scene, const std::vector<PassRecord> &passes);
 
-  /// What to tell where a run with a Tolerance ends without it. `cause`: how the sentence begins.
-  std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause);
+  /// What to tell where a run with a Tolerance ends without it. `cause`: how the sentence begins; `way`: how
+  /// it ends, but where the largest part of the error needs another remedy.
+  std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause,
+                               const std::string &way);
 } // namespace abut

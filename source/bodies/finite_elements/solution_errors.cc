@@ -32,6 +32,8 @@ namespace abut
 
   double FiniteElementBody::geometry_energy(const Eigen::VectorXd &deformation) const
   {
+    if (description().has_inner_interfaces())
+      return std::numeric_limits<double>::quiet_NaN(); // edges between materials may stand for curves too
     const bool triangles = space_->mesh().cell_type == CellType::triangles;
     if (!space_->mesh().curved)
       return triangles && shape_of(description()).has_curves ? std::numeric_limits<double>::quiet_NaN() : 0.;
