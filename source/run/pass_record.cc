@@ -84,6 +84,8 @@ namespace abut
     record.steps = solution.iteration.steps;
     record.increment = solution.iteration.increment;
     record.iteration = solution.iteration.iteration_error;
+    for (const BodyResult &body : solution.bodies)
+      record.strain_energy += body.energy;
     add_contact(solution.pairs, record);
     if (carried)
       record.change = change(solution.bodies, carried->displacements);
@@ -95,9 +97,12 @@ namespace abut
   void correct_by_change(const PassRecord &before, PassRecord &record)
   {
     const auto estimated = before.budget.estimate();
-    if (record.is_certified || !record.total || !record.change || !estimated || !(*estimated > 0.))
+    if (record.is_certified || !record.total || !record.change || !estimated || !(*estimated > 0.) ||
+        !(record.strain_energy > 0.))
       return;
-    *record.total *= std::max(1., *record.change / *estimated);
+    const double by_energy =
+        std::sqrt(std::abs(record.strain_energy - before.strain_energy) / record.strain_energy);
+    *record.total *= std::max(1., std::min(*record.change, by_energy) / *estimated);
   }
 
   void compare_with_exact(const Setup &setup, const PassOutcome &outcome, PassRecord &record)

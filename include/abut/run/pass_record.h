@@ -13,7 +13,9 @@ namespace abut
   /**
    * Corrects an estimate that boundary elements have not made by what came of the one before: the solution
    * has changed by no more than the error was (Galerkin's orthogonality on nested meshes), so that an
-   * estimate below the change was too small, and the same indicator will be so again.
+   * estimate below the change was too small, and the same indicator will be so again. The change is that of
+   * the field or of the strain energy, whichever is smaller: fields that are carried to curved cells lose
+   * some of the first.
    */
   void correct_by_change(const PassRecord &before, PassRecord &record);
 
