@@ -115,7 +115,7 @@ namespace abut
     std::optional<double> effectivity_total; ///< total by true_errors.energy
     /// Energy norm of the difference from the solution of the pass before, by that of the solution.
     std::optional<double> change;
-    double strain_energy = 0.; ///< of all bodies
+    double strain_energy = 0.;                   ///< of all bodies
     double normal_force = 0., max_pressure = 0.; ///< sum and largest over the pairs
     std::size_t n_missed = 0;                    ///< pieces of missed contact
     std::vector<MeshQuality> meshes;             ///< body by body

@@ -116,7 +116,8 @@ namespace abut
                " has a vertex where the stress is infinite (a reentrant corner, a support that begins or "
                "ends, a load that jumps): there the boundary elements of Adaptation/Boundary solution = "
                "constant traction and finite element trace are about as coarse as the finite elements, the "
-               "error may be up to a half larger than estimated; trace space and reference quality see it whole"});
+               "error may be up to a half larger than estimated; trace space and reference quality see it "
+               "whole"});
     return warnings;
   }
 
