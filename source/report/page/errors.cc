@@ -27,6 +27,7 @@ namespace abut
     {
       static const std::vector<ErrorCurve> curves = {
           {"discretisation", [](const PassRecord &pass) { return pass.budget.discretisation; }},
+          {"contact", [](const PassRecord &pass) { return pass.budget.contact; }},
           {"iteration", [](const PassRecord &pass) { return pass.budget.iteration; }},
           {"penalty", [](const PassRecord &pass) { return pass.budget.penalty; }},
           {"linear algebra", [](const PassRecord &pass) { return pass.budget.linear_algebra; }},

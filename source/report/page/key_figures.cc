@@ -50,6 +50,7 @@ namespace abut
       const ErrorBudget &budget = pass.budget;
       HtmlTable table{"Parts of the error (energy norm)", {"part", "error"}, {}};
       table.rows = {{"discretisation", html_percent(budget.discretisation, unknown)},
+                    {"contact", html_percent(budget.contact, unknown)},
                     {"iteration", html_percent(budget.iteration, unknown)},
                     {"penalty", html_percent(budget.penalty, unknown)},
                     {"linear algebra", html_percent(budget.linear_algebra, unknown)},
