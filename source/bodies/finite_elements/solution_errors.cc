@@ -6,6 +6,9 @@
 #include <abut/bodies/finite_elements/stress_field.h>
 #include <abut/scene/shape_entry.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
 #include <cmath>
 #include <limits>
 
