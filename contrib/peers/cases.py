@@ -31,7 +31,7 @@ def script(name):
 def start_commands(folder):
     """An empty program of each kind."""
     shutil.copy(script("start_calculix.inp"), os.path.join(folder, "start.inp"))
-    return {"abut": [ABUT, "--version"], "FreeFEM": ["FreeFem++", "-nw", "-v", "0", script("empty.edp")],
+    return {"abut": [ABUT, "--print-parameters"], "FreeFEM": ["FreeFem++", "-nw", "-v", "0", script("empty.edp")],
             "GetFEM": [PYTHON, "-c", "import numpy, getfem"], "CalculiX": ["ccx", "start"]}
 
 

@@ -25,16 +25,26 @@ namespace abut
                    "Print every parameter with its documentation and default, and stop");
     }
 
-    /// Of several that are given the one listed first counts.
-    void add_subcommands(CLI::App &app, const std::vector<Subcommand> &subcommands, Arguments &arguments)
+    void add_tasks(CLI::App &app, Arguments &arguments)
     {
-      for (const Subcommand &subcommand : subcommands)
-        app.add_subcommand(subcommand.name, subcommand.documentation)
-            ->fallthrough()
-            ->parse_complete_callback([&] {
-              if (arguments.subcommand == nullptr || &subcommand < arguments.subcommand)
-                arguments.subcommand = &subcommand;
-            });
+      struct Word
+      {
+        Task task;
+        const char *name, *documentation;
+      };
+      static const Word words[] = {
+          {Task::study, "study",
+           "Run the variants that the file's section Study lists: error against run time"},
+          {Task::schemes, "schemes",
+           "Solve the contact on the file's meshes by every scheme: steps, seconds and error of each"},
+          {Task::reproduce, "reproduce",
+           "Run the file and the variants of its section Study; write the figures of "
+           "doc/reproducing-the-paper.md and their data"}};
+      for (const Word &word : words)
+        app.add_subcommand(word.name, word.documentation)->fallthrough()->parse_complete_callback([&] {
+          if (arguments.task == Task::solve || word.task < arguments.task)
+            arguments.task = word.task;
+        });
     }
 
     /// The exit status after the parser has given up: with an answer, or for a mistake.
@@ -49,8 +59,7 @@ namespace abut
     }
   } // namespace
 
-  std::optional<Arguments> parse_arguments(const int argc, const char *const *argv,
-                                           const std::vector<Subcommand> &subcommands, int &status,
+  std::optional<Arguments> parse_arguments(const int argc, const char *const *argv, int &status,
                                            std::ostream &out, std::ostream &err)
   {
     Arguments arguments;
@@ -58,7 +67,7 @@ namespace abut
     CLI::App app("abut: frictionless contact of elastic bodies in plane strain, solved body by body.",
                  "abut");
     add_options(app, arguments, output);
-    add_subcommands(app, subcommands, arguments);
+    add_tasks(app, arguments);
     // After the subcommands, which would inherit it.
     app.footer("Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did not "
                "reach what it was asked for (the results say so).");

@@ -99,30 +99,6 @@ namespace abut
       return status_of(complaints.empty());
     }
 
-    int schemes(const Arguments &arguments, std::ostream &out, std::ostream & /*err*/)
-    {
-      return status_of(compare_schemes(arguments.file, arguments.overrides, arguments.quiet, out));
-    }
-
-    int reproduce(const Arguments &arguments, std::ostream &out, std::ostream & /*err*/)
-    {
-      return status_of(run_reproduction(arguments.file, arguments.overrides, arguments.quiet, out));
-    }
-
-    const std::vector<Subcommand> &subcommands()
-    {
-      static const std::vector<Subcommand> all = {
-          {"study", "Run the variants that the file's section Study lists: error against run time", study},
-          {"schemes",
-           "Solve the contact on the file's meshes by every scheme: steps, seconds and error of each",
-           schemes},
-          {"reproduce",
-           "Run the file and the variants of its section Study; write the figures of "
-           "doc/reproducing-the-paper.md and their data",
-           reproduce}};
-      return all;
-    }
-
     int run(const Arguments &arguments, std::ostream &out, std::ostream &err)
     {
       if (arguments.print_parameters)
@@ -130,8 +106,17 @@ namespace abut
         Scene::print_parameters(out);
         return ExitStatus::converged;
       }
-      if (arguments.subcommand != nullptr)
-        return arguments.subcommand->run(arguments, out, err);
+      switch (arguments.task)
+      {
+      case Task::study:
+        return study(arguments, out, err);
+      case Task::schemes:
+        return status_of(compare_schemes(arguments.file, arguments.overrides, arguments.quiet, out));
+      case Task::reproduce:
+        return status_of(run_reproduction(arguments.file, arguments.overrides, arguments.quiet, out));
+      case Task::solve:
+        break;
+      }
       const Scene scene = Scene::read(arguments.file, arguments.overrides);
       return arguments.check ? check_scene(scene, out, err) : run_scene(scene, arguments.quiet, out, err);
     }
@@ -140,7 +125,7 @@ namespace abut
   int run_command_line(const int argc, const char *const *argv, std::ostream &out, std::ostream &err)
   {
     int status = ExitStatus::converged;
-    const std::optional<Arguments> arguments = parse_arguments(argc, argv, subcommands(), status, out, err);
+    const std::optional<Arguments> arguments = parse_arguments(argc, argv, status, out, err);
     if (!arguments)
       return status;
     try
@@ -173,3 +158,8 @@ namespace abut
     }
   }
 } // namespace abut
+
+int abut_run_command_line(const int argc, const char *const *argv)
+{
+  return abut::run_command_line(argc, argv, std::cout, std::cerr);
+}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -9,15 +8,13 @@
 
 namespace abut
 {
-  struct Arguments;
-
-  /// A word of the command line that does something else with a file than solving it.
-  struct Subcommand
+  /// What is to be done with the file; the words of the command line, `solve` is the one without a word.
+  enum class Task
   {
-    std::string name;
-    std::string documentation; ///< for `--help`
-    /// Does it and returns the exit status. May throw UserError and ComputationError.
-    std::function<int(const Arguments &arguments, std::ostream &out, std::ostream &err)> run;
+    solve,
+    study,
+    schemes,
+    reproduce
   };
 
   /// What the command line says.
@@ -26,12 +23,11 @@ namespace abut
     std::string file;                   ///< empty with print_parameters only
     std::vector<std::string> overrides; ///< `Section/Name=value`, in their order; `--output` last
     bool check = false, quiet = false, print_parameters = false;
-    const Subcommand *subcommand = nullptr; ///< null: solve the file
+    Task task = Task::solve; ///< of several words the one that `--help` lists first
   };
 
   /// Reads the command line. Empty where it is dealt with, `--help` and mistakes: `status` is then what to
-  /// end with. `subcommands` must outlive the result.
-  std::optional<Arguments> parse_arguments(int argc, const char *const *argv,
-                                           const std::vector<Subcommand> &subcommands, int &status,
-                                           std::ostream &out, std::ostream &err);
+  /// end with. Needs nothing else of the program: the launcher answers by it before it loads the rest.
+  std::optional<Arguments> parse_arguments(int argc, const char *const *argv, int &status, std::ostream &out,
+                                           std::ostream &err);
 } // namespace abut

@@ -19,3 +19,6 @@ namespace abut
    */
   int run_command_line(int argc, const char *const *argv, std::ostream &out, std::ostream &err);
 } // namespace abut
+
+/// The same with the standard streams, for who opens the library at run time: the launcher.
+extern "C" int abut_run_command_line(int argc, const char *const *argv);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The program `abut`. Sample runs, from the project's root:
+//   build/release/abut prm/two-layers.prm
+//   build/release/abut prm/two-layers-rollers.prm --set 'Contact interface/Penalty coefficient=0.05'
+//   build/release/abut prm/hertz.prm --check
+//   build/release/abut --print-parameters
+//
+// Starting a program that is linked to deal.II takes a quarter of a second: every symbol is looked for in two
+// hundred libraries, one after the other. This file is linked to none of them. It opens them itself, those
+// first that need no other one, each with its own scope (RTLD_LOCAL): a symbol is then looked for in what the
+// library at hand needs. Mistakes of the command line, `--version` and `--help` are answered before.
+
+#include <abut/program/arguments.h>
+
+#include <dlfcn.h>
+#include <iostream>
+
+namespace
+{
+  /// The libraries behind libabut.so, leaves first, as they were when it was built (leaf_first.cmake).
+  const char *const libraries[] = {
+#include "leaf_first.inc"
+  };
+
+  using RunCommandLine = int(int argc, const char *const *argv);
+
+  /// `abut_run_command_line` of libabut.so; null, with a message in dlerror(), where it cannot be had.
+  RunCommandLine *load()
+  {
+    for (const char *library : libraries)
+      // One that is no longer there either is not needed any more or is missed below.
+      dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+    void *const abut = dlopen("libabut.so", RTLD_LAZY | RTLD_LOCAL);
+    return abut == nullptr ? nullptr
+                           : reinterpret_cast<RunCommandLine *>(dlsym(abut, "abut_run_command_line"));
+  }
+} // namespace
+
+int main(const int argc, const char *const *argv)
+{
+  int status = 0;
+  if (!abut::parse_arguments(argc, argv, status, std::cout, std::cerr))
+    return status;
+  RunCommandLine *const run = load();
+  if (run == nullptr)
+  {
+    std::cerr << "abut: the program's library cannot be loaded: " << dlerror()
+              << "; build or install abut again\n";
+    return 1;
+  }
+  return run(argc, argv);
+}

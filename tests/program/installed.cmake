@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# cmake -DBUILD=... -DSOURCE=... -DSCENE=... -DBUILD_TYPE=... -P installed.cmake
+cmake_minimum_required(VERSION 3.25)
+set(prefix ${BUILD}/tests/program/installed)
+file(REMOVE_RECURSE ${prefix} ${prefix}-other ${prefix}-alone)
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+# Moved: nothing points into the build folder or to where it was put at first.
+file(RENAME ${prefix} ${prefix}-other)
+set(prefix ${prefix}-other)
+execute_process(COMMAND ${prefix}/bin/abut ${SCENE} --quiet --output ${prefix}/results COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${prefix}/results/summary.json summary)
+string(JSON status GET ${summary} status)
+if(NOT status STREQUAL "converged")
+  message(FATAL_ERROR "the installed program has ended with the status ${status}")
+endif()
+
+file(COPY ${prefix}/bin/abut DESTINATION ${prefix}-alone)
+execute_process(COMMAND ${prefix}-alone/abut ${SCENE} RESULT_VARIABLE status ERROR_VARIABLE message)
+if(NOT status EQUAL 1 OR NOT message MATCHES "^abut: the program's library cannot be loaded: libabut.so")
+  message(FATAL_ERROR "without its library the program has ended with ${status}: ${message}")
+endif()
+
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/program/consumer -B ${prefix}/consumer -G Ninja
+                        -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_PREFIX_PATH=${prefix}
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${prefix}/consumer OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${prefix}/consumer/consumer ${SCENE} COMMAND_ERROR_IS_FATAL ANY)
