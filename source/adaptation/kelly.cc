@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
 #include <abut/adaptation/kelly.h>
-#include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/body_force.h>
 #include <abut/bodies/finite_elements/boundary_traction.h>
 #include <abut/bodies/finite_elements/glue_partners.h>
 #include <abut/bodies/finite_elements/stress_field.h>

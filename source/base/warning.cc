@@ -24,7 +24,8 @@ namespace abut
                                                  WarningCode::cells_cut,
                                                  WarningCode::one_material,
                                                  WarningCode::facets,
-                                                 WarningCode::coarse_curve};
+                                                 WarningCode::coarse_curve,
+                                                 WarningCode::coarse_data};
     return all;
   }
 
@@ -72,6 +73,8 @@ namespace abut
       return "facets";
     case WarningCode::coarse_curve:
       return "coarse-curve";
+    case WarningCode::coarse_data:
+      return "coarse-data";
     }
     return "unknown";
   }

@@ -92,6 +92,15 @@ namespace abut
     return {};
   }
 
+  Vector2 prescribed_displacement(const Condition &condition, const Placement &placement,
+                                  const Vector2 &point, const Vector2 &normal)
+  {
+    Vector2 sum = Vector2::Zero();
+    for (const DirectedValue &v : directed_values(condition, placement, point, normal, {}))
+      sum += v.value * v.direction;
+    return sum;
+  }
+
   std::optional<Resultant> find_resultant(const BodyDescription &body, const Sides &sides)
   {
     for (const Condition &condition : body.conditions)

@@ -3,6 +3,8 @@
 #include <abut/bodies/side_load.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace abut
 {
@@ -51,21 +53,41 @@ namespace abut
     }
   } // namespace
 
-  Eigen::MatrixX2d traction_moments(const Trace &side, const Segment &segment, const SideTraction &traction)
+  unsigned int n_sampled_pieces(const Trace &side, const Segment &segment)
   {
-    const Eigen::MatrixX2d whole = moments_by_rule(side, segment, traction, 0., 1.);
-    return halved_moments(side, segment, traction, 0., 1., whole, whole.norm());
+    constexpr double of_side = 128.;
+    return static_cast<unsigned int>(std::ceil(of_side * segment.length / side.length()));
+  }
+
+  Eigen::MatrixX2d traction_moments(const Trace &side, const Segment &segment, const SideTraction &traction,
+                                    const unsigned int n_pieces)
+  {
+    std::vector<Eigen::MatrixX2d> pieces;
+    double size = 0.;
+    const auto end = [&](const unsigned int piece) { return piece / static_cast<double>(n_pieces); };
+    for (unsigned int piece = 0; piece < n_pieces; ++piece)
+    {
+      pieces.push_back(moments_by_rule(side, segment, traction, end(piece), end(piece + 1)));
+      size = std::max(size, pieces.back().norm());
+    }
+    Eigen::MatrixX2d sum = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(segment.nodes.size()), 2);
+    for (unsigned int piece = 0; piece < n_pieces; ++piece)
+      sum += halved_moments(side, segment, traction, end(piece), end(piece + 1), pieces[piece], size);
+    return sum;
   }
 
   void add_traction(const Trace &side, const Condition &condition, const Placement &placement,
                     Eigen::VectorXd &load)
   {
+    const bool is_sampled = varies(condition);
     for (const Segment &segment : side.segments())
     {
-      const Eigen::MatrixX2d moments =
-          traction_moments(side, segment, [&](const Vector2 &point, const Vector2 &normal) {
+      const Eigen::MatrixX2d moments = traction_moments(
+          side, segment,
+          [&](const Vector2 &point, const Vector2 &normal) {
             return prescribed_traction(condition, placement, point, normal);
-          });
+          },
+          is_sampled ? n_sampled_pieces(side, segment) : 1);
       for (std::size_t i = 0; i < segment.nodes.size(); ++i)
         for (unsigned int component = 0; component < 2; ++component)
           load[side.node_dofs()[segment.nodes[i]][component]] +=

@@ -59,6 +59,20 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    /// What no indicator sees. The stress of an energy norm is that of shear.
+    void add_oscillation(const Body &body, CellErrors &errors)
+    {
+      const Eigen::ArrayXd oscillation = body.data_oscillation().array();
+      if (!(oscillation > 0.).any())
+        return;
+      errors.energy = (errors.energy.array().square() + oscillation.square()).sqrt();
+      errors.stress =
+          (errors.stress.array().square() + 2. * body.material().mu() * oscillation.square()).sqrt();
+    }
+  } // namespace
+
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
                       const std::vector<BodyResult> &bodies)
   {
@@ -72,6 +86,7 @@ namespace abut
         return; // no cells, no errors
       estimation.errors[a] =
           indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].estimate_forces});
+      add_oscillation(*bodies[a].body, estimation.errors[a]);
       estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
     });
     return estimation;

@@ -119,6 +119,13 @@ namespace abut
     return conditions;
   }
 
+  bool varies(const Condition &condition)
+  {
+    return condition.exact ||
+           !std::all_of(condition.expressions.begin(), condition.expressions.end(),
+                        [](const Expression &expression) { return expression.is_constant(); });
+  }
+
   std::string to_string(const ConditionKind kind)
   {
     return word_of(condition_kinds, kind);

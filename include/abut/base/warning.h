@@ -29,7 +29,8 @@ namespace abut
     cells_cut,
     one_material,
     facets,
-    coarse_curve
+    coarse_curve,
+    coarse_data
   };
 
   /// All of them, in the order above.

@@ -119,6 +119,9 @@ namespace abut
     /// Squared energy norm of what a deformation misses of the solution of the body's own equations.
     virtual double round_off_energy(const Eigen::VectorXd &deformation,
                                     const Eigen::VectorXd &contact_forces) const = 0;
+    /// By active cell, energy norms, estimated, of what conditions and the body force do that the cells are
+    /// too large for; no estimator of the solution sees that. Zero where they are the same everywhere.
+    virtual Eigen::VectorXd data_oscillation() const = 0;
     /// Squared energy norm, estimated, of what edges of cells change that are not the curves they stand for:
     /// their stresses act along other normals. Zero for straight sides; NaN where the curve is not known.
     virtual double geometry_energy(const Eigen::VectorXd &deformation) const = 0;

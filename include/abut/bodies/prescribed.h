@@ -45,6 +45,11 @@ namespace abut
   std::vector<Vector2> supported_directions(const Condition &condition, const Placement &placement,
                                             const Vector2 &normal, const std::optional<Resultant> &resultant);
 
+  /// The displacement (world frame) that a condition prescribes at a point of a side, where the outward unit
+  /// normal is n: zero along directions that it leaves free.
+  Vector2 prescribed_displacement(const Condition &condition, const Placement &placement,
+                                  const Vector2 &point, const Vector2 &normal);
+
   /// The resultant condition of the body, if it has one. Throws UserError for a side without one direction.
   std::optional<Resultant> find_resultant(const BodyDescription &body, const Sides &sides);
 } // namespace abut

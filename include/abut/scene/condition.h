@@ -46,6 +46,9 @@ namespace abut
   std::vector<Condition> parse_conditions(const std::string &text, const Constants &constants,
                                           const std::string &where);
 
+  /// Whether the values differ from place to place.
+  bool varies(const Condition &condition);
+
   /// The name used in the parameter file.
   std::string to_string(ConditionKind kind);
 

@@ -3,7 +3,7 @@
 #include <abut/base/user_error.h>
 #include <abut/bem/legendre_moments.h>
 #include <abut/bodies/boundary_elements/boundary_data.h>
-#include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/body_force.h>
 #include <abut/bodies/side_load.h>
 #include <abut/trace/applied_traction.h>
 
@@ -90,12 +90,15 @@ namespace abut
   void BoundaryData::add_prescribed(const SideConditions &conditions, const Trace &side,
                                     const dealii::types::boundary_id boundary, std::size_t first_element)
   {
+    const bool is_sampled = conditions.traction_varies(boundary);
     for (const Segment &segment : side.segments())
       add_moments(first_element++,
-                  traction_moments(side, segment,
-                                   [&](const Vector2 &point, const Vector2 &normal) {
-                                     return conditions.traction(boundary, point, normal);
-                                   }),
+                  traction_moments(
+                      side, segment,
+                      [&](const Vector2 &point, const Vector2 &normal) {
+                        return conditions.traction(boundary, point, normal);
+                      },
+                      is_sampled ? n_sampled_pieces(side, segment) : 1),
                   prescribed_);
   }
 

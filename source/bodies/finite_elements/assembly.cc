@@ -95,36 +95,4 @@ namespace abut
     }
     return stiffness;
   }
-
-  Vector2 body_force(const BodyDescription &body, const Vector2 &point)
-  {
-    if (body.body_force.empty())
-      return Vector2::Zero();
-    const Vector2 own = body.placement.point_to_own(point);
-    return body.placement.direction_to_world(Vector2(body.body_force[0](own), body.body_force[1](own)));
-  }
-
-  void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load)
-  {
-    if (body.body_force.empty())
-      return;
-    const auto &fe = space.dof_handler().get_fe();
-    dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
-                               dealii::update_values | dealii::update_JxW_values |
-                                   dealii::update_quadrature_points);
-    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-    {
-      values.reinit(cell);
-      cell->get_dof_indices(dofs);
-      for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const auto p = values.quadrature_point(q);
-        const Vector2 force = body_force(body, Vector2(p[0], p[1]));
-        for (const unsigned int i : values.dof_indices())
-          load[static_cast<Index>(dofs[i])] +=
-              force[fe.system_to_component_index(i).first] * values.shape_value(i, q) * values.JxW(q);
-      }
-    }
-  }
 } // namespace abut

@@ -2,6 +2,7 @@
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/body_force.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/glue.h>
 #include <abut/bodies/finite_elements/locking.h>

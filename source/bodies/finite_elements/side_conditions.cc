@@ -3,6 +3,7 @@
 #include <abut/bodies/prescribed.h>
 #include <abut/bodies/side_load.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace abut
@@ -48,5 +49,13 @@ namespace abut
       if (!is_support(condition->kind))
         sum += prescribed_traction(*condition, body_.description().placement, point, normal);
     return sum;
+  }
+
+  bool SideConditions::traction_varies(const dealii::types::boundary_id boundary) const
+  {
+    const std::vector<const Condition *> &all = conditions(boundary);
+    return std::any_of(all.begin(), all.end(), [](const Condition *condition) {
+      return !is_support(condition->kind) && varies(*condition);
+    });
   }
 } // namespace abut

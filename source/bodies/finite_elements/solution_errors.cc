@@ -2,6 +2,7 @@
 //
 // Errors of a body's solution that no estimator of the discretisation sees.
 
+#include <abut/bodies/finite_elements/data_oscillation.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/stress_field.h>
 #include <abut/scene/shape_entry.h>
@@ -20,6 +21,11 @@ namespace abut
     const Eigen::VectorXd residual =
         -supports_.free_directions.transpose() * missing_forces(deformation, contact_forces);
     return std::abs(residual.dot(solve(residual).col(0)));
+  }
+
+  Eigen::VectorXd FiniteElementBody::data_oscillation() const
+  {
+    return abut::data_oscillation(*this, sides_);
   }
 
   namespace

@@ -5,6 +5,7 @@
 #include <abut/run/checks/validity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace abut
@@ -63,12 +64,31 @@ namespace abut
         }
       return {};
     }
+
+    /// More than what an estimate may be wrong by.
+    constexpr double noticeable_oscillation = .1; // of the energy norm
+
+    Warnings coarse_data_warnings(const BodyResult &result)
+    {
+      const double oscillation = result.body->data_oscillation().norm(),
+                   norm = std::hypot(std::sqrt(2. * result.energy), oscillation);
+      if (!(oscillation > noticeable_oscillation * norm))
+        return {};
+      std::ostringstream text;
+      text.precision(2);
+      text << "Body " << result.body->name()
+           << ": its Conditions or Body force change within cells, which changes some "
+           << 100. * oscillation / norm
+           << " % of its deformation (energy norm): use smaller cells there, or set Tolerance";
+      return {{WarningCode::coarse_data, text.str()}};
+    }
   } // namespace
 
   Warnings body_warnings(const BodyResult &body)
   {
     Warnings warnings = strain_warnings(body);
     append(warnings, singularity_warnings(body));
+    append(warnings, coarse_data_warnings(body));
     return warnings;
   }
 } // namespace abut

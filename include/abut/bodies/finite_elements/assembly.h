@@ -12,10 +12,4 @@ namespace abut
   /// `projects`: with the projected divergence (projects_divergence).
   Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const CellMaterials &materials,
                                                  bool projects);
-
-  /// The body force of a description at a point of the plane: force per volume, world frame.
-  Vector2 body_force(const BodyDescription &body, const Vector2 &point);
-
-  /// Adds the body force of the description to a load vector.
-  void add_body_force(const Space &space, const BodyDescription &body, Eigen::VectorXd &load);
 } // namespace abut

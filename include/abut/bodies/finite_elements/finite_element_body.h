@@ -66,6 +66,7 @@ namespace abut
     double strain_energy(const Eigen::VectorXd &deformation) const override;
     double round_off_energy(const Eigen::VectorXd &deformation,
                             const Eigen::VectorXd &contact_forces) const override;
+    Eigen::VectorXd data_oscillation() const override;
     double geometry_energy(const Eigen::VectorXd &deformation) const override;
 
     Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const override

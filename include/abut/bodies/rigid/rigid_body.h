@@ -68,6 +68,7 @@ namespace abut
     double condition() const override { return std::numeric_limits<double>::quiet_NaN(); }
     double strain_energy(const Eigen::VectorXd &) const override { return 0.; }
     double round_off_energy(const Eigen::VectorXd &, const Eigen::VectorXd &) const override { return 0.; }
+    Eigen::VectorXd data_oscillation() const override { return {}; }
     double geometry_energy(const Eigen::VectorXd &) const override { return 0.; }
 
     std::vector<unsigned int> cells_at(const Vector2 &) const override { return {}; }
