@@ -23,6 +23,9 @@ namespace abut
       app.add_flag("--quiet", arguments.quiet, "No progress and no tables; errors only");
       app.add_flag("--print-parameters", arguments.print_parameters,
                    "Print every parameter with its documentation and default, and stop");
+      app.add_option("--reference", arguments.reference,
+                     "Print a file of doc/reference, all parameters or what result files hold, and stop")
+          ->check(CLI::IsMember(std::vector<std::string>{"parameters", "results", "schema"}));
     }
 
     void add_tasks(CLI::App &app, Arguments &arguments)
@@ -74,7 +77,7 @@ namespace abut
     try
     {
       app.parse(argc, argv);
-      if (arguments.file.empty() && !arguments.print_parameters)
+      if (arguments.file.empty() && !arguments.print_parameters && arguments.reference.empty())
         throw CLI::RequiredError("FILE.prm");
     }
     catch (const CLI::ParseError &error)

@@ -7,6 +7,7 @@
 #include <abut/report/console.h>
 #include <abut/report/describe.h>
 #include <abut/report/progress.h>
+#include <abut/report/reference/pages.h>
 #include <abut/report/write_all.h>
 #include <abut/run/simulation.h>
 #include <abut/study/reproduction.h>
@@ -106,6 +107,12 @@ namespace abut
         Scene::print_parameters(out);
         return ExitStatus::converged;
       }
+      for (const ReferencePage &page : reference_pages())
+        if (page.name == arguments.reference)
+        {
+          out << page.text();
+          return ExitStatus::converged;
+        }
       switch (arguments.task)
       {
       case Task::study:

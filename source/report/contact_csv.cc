@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/contact_csv.h>
+#include <abut/report/reference/csv_files.h>
 
 #include <sstream>
 
@@ -9,7 +10,7 @@ namespace abut
   std::string contact_csv(const PairResult &result)
   {
     std::ostringstream out;
-    out << "x,y,arc_length,gap,pressure,length,load,load_x,load_y\n";
+    out << csv_header("contact_<pair>.csv");
     for (const std::size_t k : result.parts)
     {
       const Part &part = result.part(k);

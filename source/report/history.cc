@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/history.h>
+#include <abut/report/reference/csv_files.h>
 
 #include <sstream>
 
@@ -69,39 +70,7 @@ namespace abut
   std::string History::csv() const
   {
     std::ostringstream out;
-    write_row({"pass",
-               "step",
-               "dofs",
-               "boundary_dofs",
-               "cells",
-               "eta_max",
-               "increment",
-               "error_discretisation",
-               "error_penalty",
-               "error_iteration",
-               "error_total",
-               "true_error_energy",
-               "true_error_stress",
-               "effectivity",
-               "effectivity_total",
-               "normal_force",
-               "max_pressure",
-               "wall_time_s",
-               "true_error_pressure",
-               "true_error_force",
-               "error_stress",
-               "change",
-               "step_discretisation",
-               "step_bound",
-               "step_true_error",
-               "step_discretisation_ratio",
-               "step_bound_ratio",
-               "error_contact",
-               "error_linear_algebra",
-               "error_geometry",
-               "error_bound",
-               "error_estimate"},
-              out);
+    out << csv_header("history.csv");
     for (const Row &row : rows_)
       write_row(cells(row), out);
     return out.str();

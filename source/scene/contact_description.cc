@@ -41,9 +41,10 @@ namespace abut
   void ContactDescription::declare(dealii::ParameterHandler &prm)
   {
     namespace Patterns = dealii::Patterns;
-    prm.declare_entry("Slave", "", Patterns::Anything(),
-                      "body:id, one of the two sides that may touch. The forces and places that are "
-                      "reported are those on the slave.");
+    prm.declare_entry(
+        "Slave", "", Patterns::Anything(),
+        "body:id, one of the two sides that may touch. The force that is reported acts on the slave, and "
+        "places are its own, but for pairs that share a side.");
     prm.declare_entry("Master", "", Patterns::Anything(), "body:id, the other side.");
     prm.declare_entry("Multipliers", "automatic", Patterns::Selection("automatic|slave|master"),
                       "The side whose segments the contact pressures follow: automatic chooses it piece by "

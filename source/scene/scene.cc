@@ -51,7 +51,7 @@ namespace abut
           "Goal", "energy", dealii::Patterns::Anything(),
           "What Tolerance belongs to. energy: the displacement of all bodies in the energy norm. force: the "
           "normal force of all contacts. peak pressure: the largest contact pressure. stress at (x, y): the "
-          "von Mises stress at a point of the undeformed bodies.");
+          "von Mises stress at a point of the undeformed bodies; x, y are lengths in the plane.");
     }
 
     /// What has to be known before the sections of bodies and contacts can be declared.
@@ -241,13 +241,18 @@ namespace abut
     }
   }
 
-  void Scene::print_parameters(std::ostream &out)
+  std::vector<SectionDeclaration> Scene::sections()
   {
-    ParameterHandler prm;
     std::vector<SectionDeclaration> sections = first_sections;
     for (const SectionDeclaration &section : other_sections({"<name>"}, {"<name>"}, {"<name>"}, {"<name>"}))
       sections.push_back(section);
-    for (const auto &[name, declare] : sections)
+    return sections;
+  }
+
+  void Scene::print_parameters(std::ostream &out)
+  {
+    ParameterHandler prm;
+    for (const auto &[name, declare] : sections())
       if (name.empty())
         declare(prm);
       else

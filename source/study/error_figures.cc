@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/plot.h>
+#include <abut/report/reference/csv_files.h>
 #include <abut/study/error_figures.h>
 #include <abut/study/observed_run.h>
 #include <abut/study/result_file.h>
@@ -39,7 +40,7 @@ namespace abut
     std::string error_csv(const std::vector<ObservedRun> &runs)
     {
       std::ostringstream out;
-      out << "run,pass,fem,fem_and_bem,seconds,estimate_seconds,true_error_stress,true_error_energy\n";
+      out << csv_header("errors.csv");
       for (const ObservedRun &run : runs)
         for (const ObservedPass &pass : run.passes)
           out << '"' << run.name << "\"," << pass.record.pass + 1 << ',' << pass.record.counts.dofs << ','

@@ -2,6 +2,7 @@
 #include <abut/base/numbers.h>
 #include <abut/reference/pressed_layers.h>
 #include <abut/report/plot.h>
+#include <abut/report/reference/csv_files.h>
 #include <abut/study/iteration_figures.h>
 #include <abut/study/observed_run.h>
 #include <abut/study/result_file.h>
@@ -25,15 +26,15 @@ namespace abut
       return part;
     }
 
-    std::string curves_csv(const std::vector<Curve> &curves, const std::string &quantity)
+    void write_curves(const Scene &scene, const std::string &file, const std::vector<Curve> &curves)
     {
       std::ostringstream out;
-      out << "curve,x," << quantity << '\n';
+      out << csv_header(file);
       for (const Curve &curve : curves)
         for (const Vector2 &point : curve.points)
           out << '"' << curve.name << "\"," << exact_number(point.x()) << ',' << exact_number(point.y())
               << '\n';
-      return out.str();
+      write_result(scene, file, out.str());
     }
 
     /// `curve` of every pass, then that of the exact solution.
@@ -64,7 +65,7 @@ namespace abut
     write_result(scene, "figure09.svg",
                  plots({{"a", {"x, cm"}, {"contact displacement u_n of the lower body, cm"}, displacements},
                         {"b", {"x, cm"}, {"contact pressure, MPa"}, pressures}}));
-    write_result(scene, "figure09_displacement.csv", curves_csv(displacements, "u_n"));
-    write_result(scene, "figure09_pressure.csv", curves_csv(pressures, "pressure"));
+    write_curves(scene, "figure09_displacement.csv", displacements);
+    write_curves(scene, "figure09_pressure.csv", pressures);
   }
 } // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/plot.h>
+#include <abut/report/reference/csv_files.h>
 #include <abut/study/limit_figures.h>
 #include <abut/study/mesh_measures.h>
 #include <abut/study/paper_runs.h>
@@ -51,7 +52,7 @@ namespace abut
     std::string displacement_csv(const std::vector<LimitPoint> &points)
     {
       std::ostringstream out;
-      out << "delta,u_1,u_2\n";
+      out << csv_header("figure08.csv");
       for (const LimitPoint &point : points)
         out << point.shown_delta() << ',' << exact_number(point.displacement.x()) << ','
             << exact_number(point.displacement.y()) << '\n';
@@ -73,7 +74,7 @@ namespace abut
     std::string unknowns_csv(const std::vector<LimitPoint> &points)
     {
       std::ostringstream out;
-      out << "delta,passes,finest_level,fem,bem,together,uniform\n";
+      out << csv_header("figure10.csv");
       for (const LimitPoint &point : points)
         out << point.shown_delta() << ',' << point.passes << ',' << point.finest << ',' << point.fem << ','
             << point.bem << ',' << point.together() << ',' << point.uniform << '\n';

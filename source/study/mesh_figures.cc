@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/mesh_figure.h>
+#include <abut/report/reference/csv_files.h>
 #include <abut/study/mesh_figures.h>
 #include <abut/study/mesh_measures.h>
 #include <abut/study/observed_run.h>
@@ -13,10 +14,10 @@ namespace abut
 {
   namespace
   {
-    std::string cells_csv(const std::vector<ObservedPass> &passes)
+    void write_cells(const Scene &scene, const std::string &file, const std::vector<ObservedPass> &passes)
     {
       std::ostringstream out;
-      out << "pass,x,y,level,von_mises\n";
+      out << csv_header(file);
       for (const ObservedPass &pass : passes)
         for (std::size_t i = 0; i < pass.levels.size(); ++i)
         {
@@ -25,7 +26,7 @@ namespace abut
               << short_number(place.y(), 8) << ',' << pass.levels[i] << ','
               << short_number(pass.drawing.von_mises[i], 6) << '\n';
         }
-      return out.str();
+      write_result(scene, file, out.str());
     }
 
     /// The first, the third and the last pass, as far as there are.
@@ -46,7 +47,7 @@ namespace abut
     write_result(scene, "figure07.svg", chosen_meshes(run));
     write_result(scene, "figure04.svg",
                  mesh_figure({{"pass " + std::to_string(run.passes.size()), &run.last().drawing, true}}));
-    write_result(scene, "figure07.csv", cells_csv(run.passes));
-    write_result(scene, "figure04.csv", cells_csv({run.last()}));
+    write_cells(scene, "figure07.csv", run.passes);
+    write_cells(scene, "figure04.csv", {run.last()});
   }
 } // namespace abut

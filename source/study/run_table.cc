@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
+#include <abut/report/reference/csv_files.h>
 #include <abut/study/mesh_measures.h>
 #include <abut/study/paper_runs.h>
 #include <abut/study/result_file.h>
@@ -59,8 +60,7 @@ namespace abut
                                                     "FEM", "BEM", "finest level", "distance", "of all",
                                                     "peak pressure", "stress error", "seconds"}};
     std::ostringstream csv;
-    csv << "run,pass,cells,fem,bem,finest_level,eta,increment,distance,distance_of_all,true_error_stress,"
-           "max_pressure,force,u_1,u_2,seconds\n";
+    csv << csv_header("passes.csv");
     for (const ObservedRun *run : runs.all())
     {
       write_pass_rows(csv, *run, half_width);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
+#include <abut/report/reference/csv_files.h>
 #include <abut/study/scheme_table.h>
 
 #include <sstream>
@@ -35,7 +36,7 @@ namespace abut
   std::string scheme_csv(const std::vector<SchemeRun> &runs)
   {
     std::ostringstream out;
-    out << "scheme,converged,steps,predicted_steps,solves,wall_time_s,error_iteration,distance\n";
+    out << csv_header("schemes.csv");
     for (const SchemeRun &run : runs)
     {
       out << run.scheme << ',' << (run.converged ? 1 : 0) << ',' << step_count(run) << ',';

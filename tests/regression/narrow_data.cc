@@ -32,7 +32,7 @@ namespace
   {
     const Answer answer = run_text(scene, {"Discretisation/Degree=3", "Body block/Cells=200, 50",
                                            "Body block/Adapt=true", "Adaptation/Estimator=kelly",
-                                           "Adaptation/Marking=doerfler", "Adaptation/Maximum passes=3"});
+                                           "Adaptation/Marking=doerfler", "Adaptation/Maximum passes=4"});
     EXPECT_NE(answer.status, 1) << answer.err;
     return block_energy(answer);
   }

@@ -20,8 +20,9 @@ namespace abut
   /// What the command line says.
   struct Arguments
   {
-    std::string file;                   ///< empty with print_parameters only
+    std::string file;                   ///< empty with print_parameters and reference only
     std::vector<std::string> overrides; ///< `Section/Name=value`, in their order; `--output` last
+    std::string reference;              ///< name of the page to print; empty: none
     bool check = false, quiet = false, print_parameters = false;
     Task task = Task::solve; ///< of several words the one that `--help` lists first
   };

@@ -6,6 +6,7 @@
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
 #include <abut/scene/goal.h>
+#include <abut/scene/parameter_sections.h>
 #include <abut/scene/reference_parameters.h>
 #include <abut/scene/repeated_parameters.h>
 #include <abut/scene/study_parameters.h>
@@ -44,7 +45,10 @@ namespace abut
      */
     static Scene read(const std::string &file, const std::vector<std::string> &overrides = {});
 
-    /// Prints every parameter with its documentation; bodies and contacts under the names `<name>`.
+    /// All that a file may have, those of bodies, contacts, ... once, under the name `<name>`.
+    static std::vector<SectionDeclaration> sections();
+
+    /// Prints every parameter of these sections with its documentation.
     static void print_parameters(std::ostream &out);
 
     /// Position of a body in `bodies`; their number if there is none of this name.

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+namespace abut
+{
+  /// The values that a pattern of deal.II lets pass, in words; empty for `[Anything]`.
+  std::string allowed_by(const std::string &pattern);
+
+  /// The words of a parameter whose words are registered (Vocabulary).
+  bool has_vocabulary(const std::string &entry);
+
+  /// doc/reference/parameters.md: every parameter of every section.
+  std::string parameter_page();
+} // namespace abut
