@@ -31,7 +31,7 @@ namespace abut
       return {Kind::force};
     if (text == "peak pressure")
       return {Kind::peak_pressure};
-    static const std::string number = "\\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\\s*";
+    static const std::string number = "\\s*([-+]?(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][-+]?[0-9]{1,2})?)\\s*";
     static const std::regex at_point("stress\\s+at\\s*\\(" + number + "," + number + "\\)");
     if (std::smatch found; std::regex_match(text, found, at_point))
       return {Kind::stress, Vector2(std::stod(found[1]), std::stod(found[2]))};

@@ -102,8 +102,9 @@ namespace
     expect_tolerance_refused(
         {"Tolerance=0.01", "Goal=moment"},
         "Goal: received `moment`, allowed are energy, force, peak pressure, stress at (x, y)");
-    expect_tolerance_refused({"Tolerance=0.01", "Goal=stress at (1; 2)"},
-                             "Goal: received `stress at (1; 2)`");
+    for (const std::string place : {"(1; 2)", "(1.2.3, 0)", "(., 0)", "(1e999, 0)"})
+      expect_tolerance_refused({"Tolerance=0.01", "Goal=stress at " + place},
+                               "Goal: received `stress at " + place + "`");
     expect_tolerance_refused({"Tolerance=0.01", "Adaptation/Combined=true", "Adaptation/Limit=0.1",
                               "Decomposition/Scheme=neumann", "Contact interface/Penalty coefficient=0.05"},
                              "Adaptation/Combined: received `true` with a Tolerance");
