@@ -141,7 +141,8 @@ namespace abut
                     {"energy", number(limit->energy)},
                     {"peak_pressure", number(limit->peak_pressure)}};
       return {{"increment", number(results.iteration.increment)},
-              {"error_is_bound", results.iteration.error_is_bound},
+              {"error_is_bound",
+               results.iteration.error_is_bound && std::isfinite(results.iteration.iteration_error)},
               {"limit_distance", distance},
               {"rigid_displacement", rigid_displacement(results)},
               {"dense_compliance", results.compliance_is_dense}};

@@ -132,6 +132,15 @@ namespace
     }
   }
 
+  TEST_F(ReportedScene, AnErrorThatIsNotKnownIsNoBound)
+  {
+    results.iteration.iteration_error = std::nan("");
+    results.iteration.error_is_bound = true;
+    const auto json = summary(results, 2.);
+    EXPECT_TRUE(json["error"]["iteration"].is_null());
+    EXPECT_EQ(json["iteration"]["error_is_bound"], false);
+  }
+
   TEST_F(ReportedScene, WhatIsUnknownIsNull)
   {
     results.pairs[0].min_gap = std::numeric_limits<double>::infinity();

@@ -64,8 +64,8 @@ namespace abut
     double iteration_error = std::numeric_limits<double>::quiet_NaN();
     /// False: `iteration_error` is an algebraic error, see ContactResidual, whatever stopped the scheme.
     bool error_is_bound = true;
-    double increment = 0.;
-    double relaxation = 0.; ///< gamma
+    double increment = std::numeric_limits<double>::quiet_NaN(); ///< NaN: the scheme does not tell
+    double relaxation = 0.;                                      ///< gamma
     /// One sentence with cause and way out; empty when converged.
     std::string message;
 
