@@ -174,3 +174,37 @@ TEST(ReferencePages, LinksLeadToPagesAndHeadings)
   }
   EXPECT_GT(n_links, 100u);
 }
+
+// Bounds that the page states and no pattern: the program takes what lies within and refuses what does not.
+TEST(ReferencePages, TighterBoundsAreThoseOfTheProgram)
+{
+  struct Bound
+  {
+    std::string parameter;
+    std::vector<std::string> refused, taken;
+  };
+  const std::vector<Bound> bounds = {{"Tolerance", {"-1", "1e-11", "1"}, {"0", "1e-10", "0.99"}},
+                                     {"Body upper/Size", {"0, 1", "4"}, {"4, 1"}},
+                                     {"Body upper/Grading", {"0, 1", "1"}, {"0.5, 1"}},
+                                     {"Body upper/Scale", {"0", "-1"}, {"1"}},
+                                     {"Body upper/Young modulus", {"0", "-1", "inf"}, {"1e-3"}},
+                                     {"Body upper/Poisson ratio", {"-1", "0.5"}, {"-0.99", "0.49"}},
+                                     {"Decomposition/Tolerance", {"0", "1"}, {"1e-9", "0.99"}},
+                                     {"Decomposition/Relaxation", {"0", "-1"}, {"0.02", "automatic"}},
+                                     {"Adaptation/Fraction", {"0", "1.1"}, {"0.01", "1"}},
+                                     {"Adaptation/Coarsening", {"-0.1", "1"}, {"0", "0.99"}},
+                                     {"Adaptation/Iteration fraction", {"-0.1", "1"}, {"0", "0.99"}}};
+  for (const Bound &bound : bounds)
+  {
+    const auto answer = [&](const std::string &value) {
+      return run({project_file("prm/two-layers-rollers.prm"), "--check", "--set", "Body upper/Cells=4, 1",
+                  "--set", "Body lower/Cells=4, 1", "--set", "Reference/Exact solution=none", "--set",
+                  bound.parameter + "=" + value});
+    };
+    for (const std::string &value : bound.refused)
+      abut::testing::expect_refused(answer(value),
+                                    {bound.parameter.substr(bound.parameter.find('/') + 1), value});
+    for (const std::string &value : bound.taken)
+      EXPECT_EQ(answer(value).status, 0) << bound.parameter << '=' << value << ": " << answer(value).err;
+  }
+}

@@ -7,11 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "program.h"
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace
@@ -139,12 +141,12 @@ namespace
 {
   using Columns = std::vector<std::string>;
 
-  /// The columns of every CSV file, by the page.
+  /// The columns of every CSV file, by the page, and the fields of `VTU files`.
   std::map<std::string, Columns> described_files()
   {
     std::map<std::string, Columns> files;
     std::istringstream page(read_file(project_file("doc/reference/results.md")));
-    const std::regex heading("### `(.*\\.csv)`"), row("\\| `(.*?)` \\|.*");
+    const std::regex heading("##.* `?(.*\\.csv|VTU files)`?"), row("\\| `(.*?)` \\|.*");
     std::string file;
     for (std::string line; std::getline(page, line);)
       if (std::smatch found; std::regex_match(line, found, heading))
@@ -179,7 +181,7 @@ namespace
     return columns;
   }
 
-  /// Every column has its description, in the order of the page; every description has a column.
+  /// Every column has its description; every description has a column.
   void expect_columns(const Columns &written, const Columns &described, const std::string &file)
   {
     std::vector<bool> is_written(described.size());
@@ -220,7 +222,8 @@ TEST(ResultFiles, CsvFilesHaveTheColumnsOfThePage)
       run({"reproduce", paper, "--set", "Adaptation/Limit=0.5", "--set",
            "Study/Variants=0.4: Adaptation/Limit=0.4"}),
       run({"reproduce", errors, "--set", "Study/Variants=", "--set", "Adaptation/Maximum passes=1"})};
-  const std::map<std::string, Columns> described = described_files();
+  std::map<std::string, Columns> described = described_files();
+  described.erase("VTU files");
   std::set<std::string> seen;
   for (const Answer &answer : answers)
   {
@@ -240,4 +243,33 @@ TEST(ResultFiles, CsvFilesHaveTheColumnsOfThePage)
   }
   for (const auto &[file, columns] : described)
     EXPECT_EQ(seen.count(file), 1u) << file << " is described, but not written";
+}
+
+TEST(ResultFiles, VtuFilesHaveTheFieldsOfThePage)
+{
+  const Answer answer =
+      run_scene("two-layers-rollers", abut::testing::with(adaptive_layers, {"Adaptation/Estimator=fe-be"}));
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const std::string text = read_file(answer.directory + "/solution_lower.vtu");
+  const std::string fields = text.substr(text.find("<PointData"));
+  const std::regex name(" Name=\"([^\"]*)\"");
+  Columns written;
+  for (std::sregex_iterator found(fields.begin(), fields.end(), name), end; found != end; ++found)
+    written.push_back((*found)[1]);
+  expect_columns(written, described_files()["VTU files"], "solution_lower.vtu");
+}
+
+// A scheme that tells no increment, and a first guess that has no bound.
+TEST(ResultFiles, WhatASchemeDoesNotTellIsNull)
+{
+  const Answer conjugate =
+      run_scene("two-layers-rollers", abut::testing::with(coarse_layers, {"Decomposition/Scheme=conjugate"}));
+  ASSERT_EQ(conjugate.status, 0) << conjugate.err;
+  EXPECT_TRUE(conjugate.summary["iteration"]["increment"].is_null());
+  EXPECT_TRUE(conjugate.summary["pass_table"][0]["increment"].is_null());
+  const Answer neumann = run_scene("two-layers", coarse_layers);
+  ASSERT_EQ(neumann.status, 0) << neumann.err;
+  EXPECT_GT(neumann.summary["iteration"]["increment"].get<double>(), 0.);
+  EXPECT_TRUE(neumann.summary["error"]["iteration"].is_null());
+  EXPECT_FALSE(neumann.summary["iteration"]["error_is_bound"].get<bool>());
 }

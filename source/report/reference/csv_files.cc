@@ -9,57 +9,57 @@ namespace abut
   {
     CsvFile history_file()
     {
-      return {"history.csv",
-              "A row for every step of the decomposition, those of a pass one after the other. Columns with "
-              "(p) are "
-              "what the pass has found: they stand in its last row alone. Cells are empty where nothing was "
-              "estimated "
-              "or is known; errors are relative",
-              {{"pass", "", "number of the mesh, from 0"},
-               {"step", "", "of the decomposition in this pass, from 1"},
-               {"dofs", "", "unknowns of all bodies, those that supports hold included"},
-               {"boundary_dofs", "", "those of them at nodes on the boundaries"},
-               {"cells", "", "of all bodies"},
-               {"eta_max", "relative", "(p) largest eta of a cell, see Adaptation/Limit"},
-               {"increment", "relative",
-                "change of the normal contact displacement in this step, the largest of a body"},
-               {"error_discretisation", "relative",
-                "(p) estimated, energy norm: `error.discretisation` of summary.json"},
-               {"error_penalty", "relative", "(p) what the penalty changes, energy norm"},
-               {"error_iteration", "relative",
-                "of the interface problem, energy norm, for the state that the step began with: a guaranteed "
-                "bound, or "
-                "an algebraic error where there is none"},
-               {"error_total", "relative", "(p) the bound of the error, else its estimate, energy norm"},
-               {"true_error_energy", "relative",
-                "(p) against the exact solution that the scene names, energy norm"},
-               {"true_error_stress", "relative", "(p) the same in L2 of the stress"},
-               {"effectivity", "no unit",
-                "(p) estimated by true error of the stress, both for the traction applied"},
-               {"effectivity_total", "no unit", "(p) `error_total` by `true_error_energy`"},
-               {"normal_force", "force / thickness",
-                "sum of all contacts, of the pressures that the step put on"},
-               {"max_pressure", "stress", "largest load of a part among these, not the reported pressure"},
-               {"wall_time_s", "s", "since the scene was read"},
-               {"true_error_pressure", "relative", "(p) first contact, L2 of the reported pressure"},
-               {"true_error_force", "relative", "(p) first contact, normal force"},
-               {"error_stress", "relative", "(p) estimated, L2 of the stress"},
-               {"change", "relative", "(p) of the displacement since the mesh before, energy norm"},
-               {"step_discretisation", "relative",
-                "`error_discretisation` of this step (Adaptation/Estimate steps)"},
-               {"step_bound", "relative", "bound of discretisation and iteration together, of this step"},
-               {"step_true_error", "relative", "true error of this step, energy norm"},
-               {"step_discretisation_ratio", "no unit",
-                "estimated by true error of this step, before each is divided"},
-               {"step_bound_ratio", "no unit", "bound by true error of this step"},
-               {"error_contact", "relative",
-                "(p) what the sides of contacts miss of the contact law, energy norm"},
-               {"error_linear_algebra", "relative", "(p) round-off in the bodies' equations, energy norm"},
-               {"error_geometry", "relative",
-                "(p) edges of cells against the curves that they stand for, energy norm"},
-               {"error_bound", "relative",
-                "(p) bound of the whole error, energy norm; empty where there is none"},
-               {"error_estimate", "relative", "(p) root of the squares of the parts, energy norm"}}};
+      return {
+          "history.csv",
+          "A row for every step of the decomposition, those of a pass one after the other. Columns with "
+          "(p) are "
+          "what the pass has found: they stand in its last row alone. Cells are empty where nothing was "
+          "estimated "
+          "or is known; errors are relative",
+          {{"pass", "", "number of the mesh, from 0"},
+           {"step", "", "of the decomposition in this pass, as the scheme counts them"},
+           {"dofs", "", "unknowns of all bodies, those that supports hold included"},
+           {"boundary_dofs", "", "those of them at nodes on the boundaries"},
+           {"cells", "", "of all bodies"},
+           {"eta_max", "relative", "(p) largest eta of a cell, see Adaptation/Limit"},
+           {"increment", "relative",
+            "change of the normal contact displacement in this step, the largest of a body; empty with the "
+            "scheme conjugate"},
+           {"error_discretisation", "relative",
+            "(p) estimated, energy norm: `error.discretisation` of summary.json"},
+           {"error_penalty", "relative", "(p) what the penalty changes, energy norm"},
+           {"error_iteration", "relative",
+            "of the interface problem, energy norm: with neumann a guaranteed bound for the state that the "
+            "step began with, with newton an algebraic error of the state reached, empty with conjugate"},
+           {"error_total", "relative", "(p) the bound of the error, else its estimate, energy norm"},
+           {"true_error_energy", "relative",
+            "(p) against the exact solution that the scene names, energy norm"},
+           {"true_error_stress", "relative", "(p) the same in L2 of the stress"},
+           {"effectivity", "no unit",
+            "(p) estimated by true error of the stress, both for the traction applied"},
+           {"effectivity_total", "no unit", "(p) `error_total` by `true_error_energy`"},
+           {"normal_force", "force / thickness", "sum of all contacts, of the pressures of this step"},
+           {"max_pressure", "stress", "largest load of a part in this step, not the reported pressure"},
+           {"wall_time_s", "s", "since the scene was read"},
+           {"true_error_pressure", "relative", "(p) first contact, L2 of the reported pressure"},
+           {"true_error_force", "relative", "(p) first contact, normal force"},
+           {"error_stress", "relative", "(p) estimated, L2 of the stress"},
+           {"change", "relative", "(p) of the displacement since the mesh before, energy norm"},
+           {"step_discretisation", "relative",
+            "`error_discretisation` of this step (Adaptation/Estimate steps)"},
+           {"step_bound", "relative", "bound of discretisation and iteration together, of this step"},
+           {"step_true_error", "relative", "true error of this step, energy norm"},
+           {"step_discretisation_ratio", "no unit",
+            "estimated by true error of this step, before each is divided"},
+           {"step_bound_ratio", "no unit", "bound by true error of this step"},
+           {"error_contact", "relative",
+            "(p) what the sides of contacts miss of the contact law, energy norm"},
+           {"error_linear_algebra", "relative", "(p) round-off in the bodies' equations, energy norm"},
+           {"error_geometry", "relative",
+            "(p) edges of cells against the curves that they stand for, energy norm"},
+           {"error_bound", "relative",
+            "(p) bound of the whole error, energy norm; empty where there is none"},
+           {"error_estimate", "relative", "(p) root of the squares of the parts, energy norm"}}};
     }
 
     CsvFile contact_file()

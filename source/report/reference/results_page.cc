@@ -3,6 +3,7 @@
 #include <abut/report/reference/markdown.h>
 #include <abut/report/reference/results_page.h>
 #include <abut/report/reference/summary_keys.h>
+#include <abut/report/reference/vtu_fields.h>
 
 #include <cctype>
 
@@ -12,7 +13,8 @@ namespace abut
   {
     const std::string results_introduction =
         "# Result files\n\n"
-        "Every key of `summary.json` and every column of the CSV files. The program prints this page (`abut "
+        "Every key of `summary.json`, every column of the CSV files and every field of the VTU files. The "
+        "program prints this page (`abut "
         "--reference results`; `contrib/reference` renews it).\n\n"
         "Lengths and stresses are in the units of the parameter file, all others follow from them ([frames "
         "and "
@@ -41,6 +43,13 @@ namespace abut
         "One line of names, then rows of numbers with 17 digits, separated by commas. Texts are in quotation "
         "marks. "
         "Columns keep their names and their order; further ones may come behind them.\n";
+
+    const std::string vtu_introduction = "\n## VTU files\n\n"
+                                         "`solution_<body>.vtu` has the fields of one body in the last pass, "
+                                         "for ParaView (`solution.pvd` opens all). Cells do not "
+                                         "share points, so that fields may jump between them. A rigid body "
+                                         "has its displacement alone. Contact pressures stand "
+                                         "in the CSV files.\n\n";
 
     std::string top_of(const std::string &path)
     {
@@ -80,11 +89,10 @@ namespace abut
       return text;
     }
 
-    std::string csv_table(const CsvFile &file)
+    std::string column_table(const std::string &title, const std::vector<CsvColumn> &columns)
     {
-      std::string text = "\n### `" + file.name + "`\n\n" + sentence(markdown(file.rows)) + "\n\n" +
-                         table_head({"column", "unit", "meaning"});
-      for (const CsvColumn &column : file.columns)
+      std::string text = table_head({title, "unit", "meaning"});
+      for (const CsvColumn &column : columns)
         text += table_row({code(column.name), column.unit, markdown(column.meaning)});
       return text;
     }
@@ -96,7 +104,8 @@ namespace abut
         results_introduction + summary_introduction + summary_tables() + '\n' + csv_introduction;
     for (const auto *const files : {&csv_files_of_runs(), &csv_files_of_studies()})
       for (const CsvFile &file : *files)
-        page += csv_table(file);
-    return page;
+        page += "\n### `" + file.name + "`\n\n" + sentence(markdown(file.rows)) + "\n\n" +
+                column_table("column", file.columns);
+    return page + vtu_introduction + column_table("field", vtu_fields());
   }
 } // namespace abut

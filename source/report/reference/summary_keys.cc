@@ -168,9 +168,10 @@ namespace abut
     {
       return {{"iteration", "object", "", "of the interface problem, last pass"},
               {"iteration.increment", "number or null", "relative",
-               "change of the normal contact displacement in the last step, the largest of a body"},
+               "change of the normal contact displacement in the last step, the largest of a body; null with "
+               "the scheme conjugate"},
               {"iteration.error_is_bound", "true or false", "",
-               "whether `error.iteration` is a guaranteed bound"},
+               "whether `error.iteration` is a guaranteed bound; false where it is null"},
               {"iteration.limit_distance", "object or null", "",
                "how far the reported state is from the limit of the iteration; with the stopping rule "
                "increment, where the "
@@ -189,14 +190,17 @@ namespace abut
     Keys keys_of_costs()
     {
       return {{"time_s", "object", "",
-               "seconds of wall clock by task; those named add up to less than the total"},
+               "seconds of wall clock by task; bodies are prepared side by side, of which the longest "
+               "counts: the tasks may add up to a little more than the total"},
               {"time_s.total", "number", "s", "since the scene was read, to the last file but this one"},
               {"time_s.mesh", "number", "s", "meshes, sides, contacts"},
-              {"time_s.assemble", "number", "s", "stiffness matrices"},
-              {"time_s.factorise", "number", "s", "their factors"},
+              {"time_s.assemble", "number", "s", "stiffness matrices, the longest of the bodies"},
+              {"time_s.factorise", "number", "s", "their factors, the longest of the bodies"},
               {"time_s.solve", "number", "s", "fields of the bodies from the contact forces"},
               {"time_s.interface", "number", "s", "the scheme, its solves included"},
-              {"time_s.bem", "number", "s", "boundary elements, added up over bodies; part of `estimate`"},
+              {"time_s.bem", "number", "s",
+               "boundary elements, added up over bodies that are solved side by side; takes place within "
+               "`estimate`"},
               {"time_s.estimate", "number", "s", "estimates of errors"},
               {"time_s.adapt", "number", "s", "marking, splitting, carrying over"},
               {"time_s.reference", "number", "s", "comparing with the exact solution"},
