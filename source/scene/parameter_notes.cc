@@ -9,6 +9,7 @@ namespace abut
   {
     // Pages that explain several parameters.
     const std::string first_scene = "../README.md#a-first-scene";
+    const std::string shapes_page = "your-own-geometry.md#built-in-shapes";
     const std::string frames = "reference/parameters.md#frames-and-units";
     const std::string outline_page = "your-own-geometry.md#from-an-outline";
     const std::string contacts_page = "your-own-geometry.md#contacts";
@@ -51,11 +52,11 @@ namespace abut
     std::vector<ParameterNote> notes_of_shapes()
     {
       const std::string body = "Body <name>";
-      return {{body, "Shape", "", "", outline_page},
-              {body, "Size", "lengths", "as many numbers above 0 as the shape needs", first_scene},
-              {body, "Top", "length", "a formula in x of the own frame", outline_page},
-              {body, "Cells", "", "", first_scene},
-              {body, "Grading", "no unit", "2 numbers above 0", "results.md#hertz"},
+      return {{body, "Shape", "", "", shapes_page},
+              {body, "Size", "lengths", "as many numbers above 0 as the shape needs", shapes_page},
+              {body, "Top", "length", "a formula in x of the own frame", shapes_page},
+              {body, "Cells", "", "", shapes_page},
+              {body, "Grading", "no unit", "2 numbers above 0", shapes_page},
               {body, "Cell type", "", "", elements_page},
               {body, "Mesh file", "lengths", "", "your-own-geometry.md#from-gmsh"},
               {body, "Outline", "lengths", "curves; curves; ...", outline_page},
@@ -85,7 +86,7 @@ namespace abut
                "method.md#the-problem"},
               {body, "Contact depth", "length", "", contact_law_page},
               {body, "Conditions", "lengths, stresses, forces per thickness",
-               "id: kind: formulas; id: kind: formulas; ...", "method.md#the-problem"},
+               "id: kind: formulas; id: kind: formulas; ...", "your-own-geometry.md#conditions"},
               {material, "Young modulus", "stress", positive_number, materials_page},
               {material, "Poisson ratio", "no unit", "a number above -1 and below 0.5", materials_page},
               {contact, "Slave", "", "body:id", contacts_page},

@@ -11,11 +11,9 @@ namespace abut
     {
       return {
           "history.csv",
-          "A row for every step of the decomposition, those of a pass one after the other. Columns with "
-          "(p) are "
-          "what the pass has found: they stand in its last row alone. Cells are empty where nothing was "
-          "estimated "
-          "or is known; errors are relative",
+          "A row for every step of the decomposition, those of a pass one after the other. Columns with (p) "
+          "are what the pass has found: they stand in its last row alone. Cells are empty where nothing was "
+          "estimated or is known; errors are relative",
           {{"pass", "", "number of the mesh, from 0"},
            {"step", "", "of the decomposition in this pass, as the scheme counts them"},
            {"dofs", "", "unknowns of all bodies, those that supports hold included"},
@@ -64,21 +62,21 @@ namespace abut
 
     CsvFile contact_file()
     {
-      return {"contact_<pair>.csv",
-              "A row for each part of the interface that belongs to the pair, along the side that is cut "
-              "into parts "
-              "(the slave; the master where other pairs on the same side say so). Parts are undeformed",
-              {{"x", "length", "place of the reported pressure in the plane, along x"},
-               {"y", "length", "and along y"},
-               {"arc_length", "length", "the same place along the side that is cut"},
-               {"gap", "length", "mean gap of the part after the bodies have moved; negative: they overlap"},
-               {"pressure", "stress", "as reported: the contact pressure at the place, never negative"},
-               {"length", "length", "of the part"},
-               {"load", "stress",
-                "mean pressure of the part, in balance with the bodies; times `length` it is a force per "
-                "thickness"},
-               {"load_x", "length", "middle of the part, where the load acts, along x"},
-               {"load_y", "length", "and along y"}}};
+      return {
+          "contact_<pair>.csv",
+          "A row for each part of the interface that belongs to the pair, along the side that is cut into "
+          "parts (the slave; the master where other pairs on the same side say so). Parts are undeformed",
+          {{"x", "length", "place of the reported pressure in the plane, along x"},
+           {"y", "length", "and along y"},
+           {"arc_length", "length", "the same place along the side that is cut"},
+           {"gap", "length", "mean gap of the part after the bodies have moved; negative: they overlap"},
+           {"pressure", "stress", "as reported: the contact pressure at the place, never negative"},
+           {"length", "length", "of the part"},
+           {"load", "stress",
+            "mean pressure of the part, in balance with the bodies; times `length` it is a force per "
+            "thickness"},
+           {"load_x", "length", "middle of the part, where the load acts, along x"},
+           {"load_y", "length", "and along y"}}};
     }
   } // namespace
 

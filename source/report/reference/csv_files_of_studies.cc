@@ -37,7 +37,8 @@ namespace abut
     {
       const std::string ratio = "error of the estimator's better stress by that of the finite elements";
       const std::string at_boundary = " in cells with an edge on the boundary",
-                        at_ends = " in cells near the ends of contact", inside = " in the other cells";
+                        at_ends = " in cells within one and a half diameters of an end of contact",
+                        inside = " in cells without an edge on the boundary";
       return {{"better_ratio", "no unit", ratio},
               {"effectivity_boundary_cells", "no unit", "`effectivity`" + at_boundary},
               {"better_ratio_boundary_cells", "no unit", "`better_ratio`" + at_boundary},
@@ -98,7 +99,7 @@ namespace abut
       return {
           "schemes.csv",
           "`abut schemes` writes it: a row for each scheme, on the initial meshes",
-          {{"scheme", "", "its word in the parameter file"},
+          {{"scheme", "", "its word in the parameter file, without quotation marks"},
            {"converged", "", "1 or 0"},
            {"steps", "", "of the scheme; empty where it was not run"},
            {"predicted_steps", "", "of the scheme neumann, where they are known beforehand"},
@@ -112,8 +113,7 @@ namespace abut
     {
       return {"passes.csv",
               "`abut reproduce` writes it for the combined algorithm: a row for each pass of each run. The "
-              "body is the "
-              "last one that adapts",
+              "body is the last one that adapts",
               {{"run", "", "its name, in quotation marks"},
                {"pass", "", "number of the mesh, from 1"},
                {"cells", "", "of the body"},

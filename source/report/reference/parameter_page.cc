@@ -16,33 +16,30 @@ namespace abut
 {
   namespace
   {
-    const std::string parameter_introduction =
-        "# Parameters\n\n"
-        "Every parameter of the parameter file, as the program declares it. The program prints this page "
-        "(`abut --reference parameters`; `contrib/reference` renews it) and, as a file to begin with, all of "
-        "it by "
-        "`abut --print-parameters`.\n\n"
-        "A file has lines `set Name = value`, in sections from `subsection Name` to `end`; `#` begins a "
-        "comment, "
-        "a `\\` at the end of a line continues it. On the command line the same is `--set "
-        "'Section/Name=value'`. What is read is this page's *allowed*; anything else is refused with one "
-        "sentence.\n\n"
-        "## Frames and units\n\n"
-        "Lengths and stresses are in units of the user's choice, the same in the whole file; all others "
-        "follow: a "
-        "force per thickness is stress times length, an energy per thickness stress times length squared "
-        "(plane "
-        "strain, per unit of thickness). With mm and MPa forces are in N per mm. \"No unit\" is a pure "
-        "number; "
-        "relative errors are such: 0.01 is one per cent.\n\n"
-        "A body's shape, its formulas and the components of its loads are written in its own frame. Then the "
-        "body is scaled (`Scale`), mirrored (`Mirror`), turned (`Rotation angle`) and moved (`Shift`), in "
-        "this "
-        "order, and vectors turn with it. Lengths \"before Scale\" are those of the own frame; stresses, "
-        "forces "
-        "and body forces are not scaled. Results are in the plane where the bodies lie in the end. Formulas "
-        "know "
-        "`pi`, the names of the section `Constants`, and where they say so `x` and `y`.\n\n";
+    const std::string parameter_introduction = R"(# Parameters
+
+Every parameter of the parameter file, as the program declares it. The program prints this page (`abut
+--reference parameters`; `contrib/reference` renews it) and, as a file to begin with, all of it by `abut
+--print-parameters`.
+
+A file has lines `set Name = value`, in sections from `subsection Name` to `end`; `#` begins a comment, a `\`
+at the end of a line continues it. On the command line the same is `--set 'Section/Name=value'`. What is read
+is this page's *allowed*; anything else is refused with one sentence.
+
+## Frames and units
+
+Lengths and stresses are in units of the user's choice, the same in the whole file; all others follow: a force
+per thickness is stress times length, an energy per thickness stress times length squared (plane strain, per
+unit of thickness). With mm and MPa forces are in N per mm. "No unit" is a pure number; relative errors are
+such: 0.01 is one per cent.
+
+A body's shape, its formulas and the components of its loads are written in its own frame. Then the body is
+scaled (`Scale`), mirrored (`Mirror`), turned (`Rotation angle`) and moved (`Shift`), in this order, and
+vectors turn with it. Lengths "before Scale" are those of the own frame; stresses, forces and body forces are
+not scaled. Results are in the plane where the bodies lie in the end. Formulas know `pi`, the names of the
+section `Constants`, and where they say so `x` and `y`.
+
+)";
 
     std::string title_of(const std::string &section)
     {

@@ -32,8 +32,7 @@ namespace abut
     std::vector<SummaryKey> keys = {
         {"pass_table", "list", "",
          "what every pass found, all bodies together; errors are relative and in the energy norm where "
-         "nothing else is "
-         "said"},
+         "nothing else is said"},
         {at + "pass", "count", "", "number of the mesh, from 0"},
         {at + "cells", "count", "", "of all bodies"},
         {at + "dofs", "count", "", "unknowns of all bodies, those that supports hold included"},
@@ -65,8 +64,7 @@ namespace abut
         {at + "effectivity_total", "number or null", "no unit", "as `error.effectivity_total`"},
         {at + "estimator", "object or null", "",
          "what the estimator is worth ([estimator](../estimator.md)); where the exact response to the "
-         "traction applied "
-         "is known"}};
+         "traction applied is known"}};
     add_keys(keys, quality_keys("whole", "all cells"));
     add_keys(keys, quality_keys("boundary_cells", "cells with an edge on the boundary"));
     add_keys(keys,

@@ -11,45 +11,42 @@ namespace abut
 {
   namespace
   {
-    const std::string results_introduction =
-        "# Result files\n\n"
-        "Every key of `summary.json`, every column of the CSV files and every field of the VTU files. The "
-        "program prints this page (`abut "
-        "--reference results`; `contrib/reference` renews it).\n\n"
-        "Lengths and stresses are in the units of the parameter file, all others follow from them ([frames "
-        "and "
-        "units](parameters.md#frames-and-units)): a force / thickness is stress times length, an energy / "
-        "thickness "
-        "stress times length squared. \"Relative\" is a pure number, 0.01 is one per cent; it is relative to "
-        "the "
-        "solution, unless something else is said. Scenes that are one half or a quarter of a symmetric body "
-        "tell "
-        "forces and energies of what is modelled. Components and places are those of the plane, "
-        "undeformed.\n\n";
+    const std::string results_introduction = R"(# Result files
 
-    const std::string summary_introduction =
-        "## summary.json\n\n"
-        "Every key is always there; what was not estimated, does not apply or is not finite is null. Keys "
-        "are never "
-        "renamed; further ones may come. [summary.schema.json](summary.schema.json) says the same to "
-        "programs: a JSON "
-        "schema, draft 2020-12 (`abut --reference schema`). `[]` stands for every entry of a list, `<...>` "
-        "for any "
-        "name; a *vector* is a list of two numbers, along x and y; a *count* is a whole number from 0 "
-        "on.\n\n";
+Every key of `summary.json`, every column of the CSV files and every field of the VTU files. The program
+prints this page (`abut --reference results`; `contrib/reference` renews it).
 
-    const std::string csv_introduction =
-        "## CSV files\n\n"
-        "One line of names, then rows of numbers with 17 digits, separated by commas. Texts are in quotation "
-        "marks. "
-        "Columns keep their names and their order; further ones may come behind them.\n";
+Lengths and stresses are in the units of the parameter file, all others follow from them ([frames and
+units](parameters.md#frames-and-units)): a force / thickness is stress times length, an energy / thickness
+stress times length squared. "Relative" is a pure number, 0.01 is one per cent; it is relative to the
+solution, unless something else is said. Scenes that are one half or a quarter of a symmetric body tell forces
+and energies of what is modelled. Components and places are those of the plane, undeformed.
 
-    const std::string vtu_introduction = "\n## VTU files\n\n"
-                                         "`solution_<body>.vtu` has the fields of one body in the last pass, "
-                                         "for ParaView (`solution.pvd` opens all). Cells do not "
-                                         "share points, so that fields may jump between them. A rigid body "
-                                         "has its displacement alone. Contact pressures stand "
-                                         "in the CSV files.\n\n";
+)";
+
+    const std::string summary_introduction = R"(## summary.json
+
+Every key is always there; what was not estimated, does not apply or is not finite is null. Keys are never
+renamed; further ones may come. [summary.schema.json](summary.schema.json) says the same to programs: a JSON
+schema, draft 2020-12 (`abut --reference schema`). `[]` stands for every entry of a list, `<...>` for any
+name; a *vector* is a list of two numbers, along x and y; a *count* is a whole number from 0 on.
+
+)";
+
+    const std::string csv_introduction = R"(## CSV files
+
+One line of names, then rows of numbers with 17 digits, separated by commas. Texts are in quotation marks.
+Columns keep their names and their order; further ones may come behind them.
+)";
+
+    const std::string vtu_introduction = R"(
+## VTU files
+
+`solution_<body>.vtu` has the fields of one body in the last pass, for ParaView (`solution.pvd` opens all).
+Cells do not share points, so that fields may jump between them. A rigid body has its displacement alone.
+Contact pressures stand in the CSV files.
+
+)";
 
     std::string top_of(const std::string &path)
     {

@@ -25,12 +25,11 @@ namespace abut
                "whether the run reached what it was asked for"},
               {"stopped_by",
                "one of: bound | residual | increment | maximum steps | stalled | limit | tolerance | maximum "
-               "passes | "
-               "maximum unknowns | no cell to split | no body adapts | goal",
+               "passes | maximum unknowns | no cell to split | no body adapts | goal",
                "",
                "what ended it: the rule of the interface problem (bound, residual: an algebraic error where "
-               "there is no "
-               "bound, increment, maximum steps, stalled), or of the meshes where they adapt (the others)"},
+               "there is no bound, increment, maximum steps, stalled), or of the meshes where they adapt "
+               "(the others)"},
               {"message", "text", "", "cause and way out where it is not converged; else empty"},
               {"passes", "count", "", "meshes that were solved on"},
               {"steps", "count", "", "of the decomposition, all passes together"},
@@ -71,9 +70,8 @@ namespace abut
           {"bodies[].h_boundary", "number or null", "length", "longest edge on the boundary"},
           {"bodies[].h_ratio", "number or null", "no unit", "`h_boundary` by `h_max`"},
           {"bodies[].regularity", "number or null", "no unit",
-           "largest ratio, in a cell, of that diameter to the inscribed circle's: 2.414 for squares, 2 "
-           "for equilateral "
-           "triangles"},
+           "largest ratio, in a cell, of that diameter to the inscribed circle's: 2.414 for squares, 2 for "
+           "equilateral triangles"},
           {"bodies[].reactions", "object", "", "forces of the supports on the body, by side or point"},
           {"bodies[].reactions.<side>", "vector", force_unit, "their resultant, along x and y of the plane"},
           {"bodies[].equilibrium_residual", "number", "relative",
@@ -110,8 +108,8 @@ namespace abut
       return {
           {"error", "object", "",
            "what the error of the last pass is estimated to be, and of what it is made "
-           "([tolerance](../tolerance.md)); "
-           "relative to the solution, in the energy norm of all bodies together"},
+           "([tolerance](../tolerance.md)); relative to the solution, in the energy norm of all bodies "
+           "together"},
           {"error.norm", "one of: energy", "", "the norm of all that follows but `stress` and `effectivity`"},
           {"error.discretisation", "number or null", "relative",
            "of the finite elements under their own traction"},
@@ -130,8 +128,7 @@ namespace abut
            "the largest part"},
           {"error.total", "number or null", "relative",
            "the bound where `error_is_bound`, else the estimate; with a Tolerance raised to what the change "
-           "from the "
-           "mesh before shows"},
+           "from the mesh before shows"},
           {"error.error_is_bound", "true or false", "", "whether `total` is a bound"},
           {"error.estimate_reason", "text", "",
            "why it is none; empty where it is one, or nothing was estimated"},
@@ -174,8 +171,7 @@ namespace abut
                "whether `error.iteration` is a guaranteed bound; false where it is null"},
               {"iteration.limit_distance", "object or null", "",
                "how far the reported state is from the limit of the iteration; with the stopping rule "
-               "increment, where the "
-               "interface compliance is a matrix"},
+               "increment, where the interface compliance is a matrix"},
               {"iteration.limit_distance.displacement", "number or null", "relative",
                "normal contact displacement, the largest of a body"},
               {"iteration.limit_distance.energy", "number or null", "relative", "energy norm"},

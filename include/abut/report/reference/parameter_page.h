@@ -8,7 +8,7 @@ namespace abut
   /// The values that a pattern of deal.II lets pass, in words; empty for `[Anything]`.
   std::string allowed_by(const std::string &pattern);
 
-  /// The words of a parameter whose words are registered (Vocabulary).
+  /// Whether the words of a parameter are registered (Vocabulary).
   bool has_vocabulary(const std::string &entry);
 
   /// doc/reference/parameters.md: every parameter of every section.
