@@ -2,6 +2,7 @@
 //
 // The reference of the result files: summary.json follows its schema, CSV files have the columns of the page.
 
+#include <abut/report/reference/csv_files.h>
 #include <abut/report/reference/summary_keys.h>
 
 #include <gtest/gtest.h>
@@ -119,6 +120,20 @@ TEST(ResultFiles, SummariesFollowTheSchema)
     EXPECT_TRUE(std::any_of(summaries.begin(), summaries.end(),
                             [&](const auto &summary) { return has_content(summary.second, key.path); }))
         << key.path << " is null in all of these runs";
+}
+
+TEST(ResultFiles, EveryNumberHasAUnitAndEveryKeyAMeaning)
+{
+  for (const abut::SummaryKey &key : abut::summary_keys())
+  {
+    const bool is_quantity = key.type.compare(0, 6, "number") == 0 || key.type.compare(0, 6, "vector") == 0;
+    EXPECT_NE(key.unit.empty(), is_quantity) << key.path;
+    EXPECT_FALSE(key.meaning.empty()) << key.path;
+  }
+  for (const auto &files : {abut::csv_files_of_runs(), abut::csv_files_of_studies()})
+    for (const abut::CsvDescription &file : files)
+      for (const abut::CsvColumn &column : file.columns)
+        EXPECT_FALSE(column.meaning.empty()) << file.name << ": " << column.name;
 }
 
 // The validator sees a key too many, one too few and a word that is none.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report_testing.h"
+#include <cmath>
 
 namespace
 {

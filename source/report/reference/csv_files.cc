@@ -7,7 +7,7 @@ namespace abut
 {
   namespace
   {
-    CsvFile history_file()
+    CsvDescription history_file()
     {
       return {
           "history.csv",
@@ -60,7 +60,7 @@ namespace abut
            {"error_estimate", "relative", "(p) root of the squares of the parts, energy norm"}}};
     }
 
-    CsvFile contact_file()
+    CsvDescription contact_file()
     {
       return {
           "contact_<pair>.csv",
@@ -80,16 +80,16 @@ namespace abut
     }
   } // namespace
 
-  const std::vector<CsvFile> &csv_files_of_runs()
+  const std::vector<CsvDescription> &csv_files_of_runs()
   {
-    static const std::vector<CsvFile> files = {history_file(), contact_file()};
+    static const std::vector<CsvDescription> files = {history_file(), contact_file()};
     return files;
   }
 
   std::string csv_header(const std::string &file)
   {
     for (const auto *const files : {&csv_files_of_runs(), &csv_files_of_studies()})
-      for (const CsvFile &description : *files)
+      for (const CsvDescription &description : *files)
         if (description.name == file)
         {
           std::string header;

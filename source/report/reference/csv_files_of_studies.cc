@@ -85,7 +85,7 @@ namespace abut
               {"<Section/Name>", "as the parameter", "value of a swept parameter, in quotation marks"}};
     }
 
-    CsvFile study_file()
+    CsvDescription study_file()
     {
       return {
           "study.csv",
@@ -94,7 +94,7 @@ namespace abut
           joined({error_columns(), quality_columns(), quantity_columns(), budget_columns(), last_columns()})};
     }
 
-    CsvFile schemes_file()
+    CsvDescription schemes_file()
     {
       return {
           "schemes.csv",
@@ -109,7 +109,7 @@ namespace abut
            {"distance", "relative", "from a solution of the same discrete problem to 1e-13, energy norm"}}};
     }
 
-    CsvFile passes_file()
+    CsvDescription passes_file()
     {
       return {"passes.csv",
               "`abut reproduce` writes it for the combined algorithm: a row for each pass of each run. The "
@@ -132,7 +132,7 @@ namespace abut
                {"seconds", "s", "since the run began, without comparing and without writing"}}};
     }
 
-    CsvFile errors_file()
+    CsvDescription errors_file()
     {
       return {"errors.csv",
               "`abut reproduce` writes it for other scenes: a row for each pass of each run",
@@ -146,7 +146,7 @@ namespace abut
                {"true_error_energy", "relative", "the same in the energy norm"}}};
     }
 
-    CsvFile cells_file(const std::string &name, const std::string &which)
+    CsvDescription cells_file(const std::string &name, const std::string &which)
     {
       return {name,
               "`abut reproduce`: a row for each cell of the body, " + which,
@@ -157,14 +157,14 @@ namespace abut
                {"von_mises", "stress", "mean of the cell"}}};
     }
 
-    CsvFile curves_file(const std::string &name, const CsvColumn &quantity)
+    CsvDescription curves_file(const std::string &name, const CsvColumn &quantity)
     {
       return {name,
               "`abut reproduce`: points of the curves of Fig. 9",
               {{"curve", "", "its name, in quotation marks"}, {"x", "length", "of the point"}, quantity}};
     }
 
-    CsvFile displacements_file()
+    CsvDescription displacements_file()
     {
       return {"figure08.csv",
               "`abut reproduce`: a row for each limit, from the last pass",
@@ -173,7 +173,7 @@ namespace abut
                {"u_2", "length", "and along y"}}};
     }
 
-    CsvFile unknowns_file()
+    CsvDescription unknowns_file()
     {
       return {"figure10.csv",
               "`abut reproduce`: a row for each limit, from the last pass; unknowns of the body that adapts",
@@ -187,9 +187,9 @@ namespace abut
     }
   } // namespace
 
-  const std::vector<CsvFile> &csv_files_of_studies()
+  const std::vector<CsvDescription> &csv_files_of_studies()
   {
-    static const std::vector<CsvFile> files = {
+    static const std::vector<CsvDescription> files = {
         study_file(),
         schemes_file(),
         passes_file(),

@@ -100,7 +100,7 @@ Contact pressures stand in the CSV files.
     std::string page =
         results_introduction + summary_introduction + summary_tables() + '\n' + csv_introduction;
     for (const auto *const files : {&csv_files_of_runs(), &csv_files_of_studies()})
-      for (const CsvFile &file : *files)
+      for (const CsvDescription &file : *files)
         page += "\n### `" + file.name + "`\n\n" + sentence(markdown(file.rows)) + "\n\n" +
                 column_table("column", file.columns);
     return page + vtu_introduction + column_table("field", vtu_fields());

@@ -5,8 +5,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
-
 namespace abut
 {
   namespace

@@ -15,7 +15,7 @@ namespace abut
   };
 
   /// A CSV file that the program writes.
-  struct CsvFile
+  struct CsvDescription
   {
     std::string name; ///< `contact_<pair>.csv`
     std::string rows; ///< who writes it, and what a row is
@@ -23,10 +23,10 @@ namespace abut
   };
 
   /// Of runs: history.csv, contact_<pair>.csv.
-  const std::vector<CsvFile> &csv_files_of_runs();
+  const std::vector<CsvDescription> &csv_files_of_runs();
 
   /// Of `abut study`, `abut schemes` and `abut reproduce`.
-  const std::vector<CsvFile> &csv_files_of_studies();
+  const std::vector<CsvDescription> &csv_files_of_studies();
 
   /// The first line of a file, where it does not depend on the scene. Its writer and its description cannot
   /// have other columns.
