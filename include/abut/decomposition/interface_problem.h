@@ -86,7 +86,9 @@ namespace abut
       Eigen::VectorXd force_gap;  ///< gap integrals of the displacements that forces alone make
       double energy_product = 0.; ///< a(u_L, u_L), all bodies
     };
-    Loads loads(double rigid_displacement) const;
+    /// `rigid_displacement`: of a side that carries a given resultant, where the scheme does not find it
+    /// itself.
+    Loads loads(double rigid_displacement = 0.) const;
 
   private:
     using Triplets = std::vector<Eigen::Triplet<double>>;

@@ -28,8 +28,9 @@ namespace abut
   class Model
   {
   public:
-    /// Makes and checks everything (UserError). The scene must outlive the model; `exact` may be null.
-    Model(const Scene &scene, const ExactSolution *exact);
+    /// Makes and checks everything (UserError). The scene must outlive the model. `exact` fills in conditions
+    /// of the kind `exact`; null where there are none.
+    explicit Model(const Scene &scene, const ExactSolution *exact = nullptr);
 
     const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
     const std::vector<ContactSurface> &surfaces() const { return surfaces_; }
