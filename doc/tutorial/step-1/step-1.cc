@@ -146,8 +146,8 @@ namespace Step1
 
   // @sect3{Errors}
 
-  // The energy norm of the error, $\int (\sigma_h - \sigma) : C^{-1} (\sigma_h - \sigma)$. A body shows its
-  // fields at points, to whoever wants to visit them: the elements stay behind the door. The points
+  // The energy norm of the error: the elastic energy of the stress $\sigma_h - \sigma$, twice. A body shows
+  // its fields at points, to whoever wants to visit them: the elements stay behind the door. The points
   // `precise` are those of a rule that is fine enough for solutions outside the finite-element space.
   double energy_error(const Body &body, const Eigen::VectorXd &deformation)
   {
@@ -167,8 +167,9 @@ namespace Step1
     double compliance; // of the mean displacement of the inner side
   };
 
-  // The mean displacement of the trace in the direction of the pressure is the work of the pressure by its
-  // resultant along the way, $f \cdot u / (p \, |\Gamma|)$. Only the trace is needed.
+  // The mean displacement of the trace in the direction of the pressure is $f \cdot u / (p \, |\Gamma|)$:
+  // only the trace is needed. `deformation` is the whole field behind it; its second argument belongs to
+  // bodies with a rigid side that carries a given force, and is 0 without one.
   Errors errors(const Body &body)
   {
     const Trace &side = body.contact_sides().front();
@@ -179,8 +180,9 @@ namespace Step1
 
   // @sect3{Convergence}
 
-  // Stresses of degree $p$ converge like $h^p$. The mean displacement is a quadratic functional of the
-  // solution, an energy, and converges twice as fast: what contact sees of a body is better than what we see.
+  // Stresses of elements of degree $k$ converge like $h^k$. The mean displacement is a quadratic functional
+  // of the solution, an energy, and converges twice as fast: what contact sees of a body is better than what
+  // we see.
   bool check_convergence(const unsigned int degree)
   {
     Errors before{};

@@ -155,7 +155,7 @@ namespace Step2
   // $u$.
   //
   // The bound is free: $\|u - u_\theta\|_A \le \|\tilde u - u\|_A$. Both displacements answer pressures, so
-  // that the norm of their difference is that of $p - q$. README.md has the proof, three lines.
+  // that the norm of their difference is that of $p - q$. README.md has the proof.
   Step take_step(const Interface &interface, const Displacement &u, const double gamma)
   {
     const Eigen::VectorXd pressures = interface.problem().pressures(u.response);
@@ -218,14 +218,15 @@ namespace Step2
     for (const std::size_t k : shown)
     {
       const Record &record = records[k];
+      std::string note;
+      if (k == rule)
+        note = "  <- the paper's rule stops";
+      if (k == bound)
+        note = "  <- the bound stops";
       std::cout << std::setw(4) << k << std::scientific << std::setprecision(2) << std::setw(10)
                 << record.change << std::setw(10) << record.bound << std::setw(10) << record.error
                 << std::fixed << std::setw(13) << record.bound / record.error << std::setprecision(1)
-                << std::setw(8) << interface.problem().normal_force(record.pressures)
-                << (k == rule    ? "  <- the paper's rule stops"
-                    : k == bound ? "  <- the bound stops"
-                                 : "")
-                << '\n';
+                << std::setw(8) << interface.problem().normal_force(record.pressures) << note << '\n';
     }
     std::cout << '\n';
   }
