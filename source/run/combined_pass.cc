@@ -16,25 +16,6 @@ namespace abut
     using Bodies = std::vector<std::unique_ptr<Body>>;
     using Fields = std::vector<Eigen::VectorXd>;
 
-    /// The response that fields of all bodies are.
-    Eigen::VectorXd observe(const Model &model, const Fields &fields)
-    {
-      Fields traces;
-      for (std::size_t a = 0; a < fields.size(); ++a)
-        traces.push_back(model.bodies()[a]->trace_of(fields[a]));
-      return model.problem().observe(traces);
-    }
-
-    /// The displacements that all bodies answer pressures and loads with.
-    Fields respond(const Model &model, const Eigen::VectorXd &pressures)
-    {
-      Fields fields(model.bodies().size());
-      for_each_body(fields.size(), [&](const std::size_t a) {
-        fields[a] = model.bodies()[a]->displacement(model.problem().contact_forces(a, pressures), 0.);
-      });
-      return fields;
-    }
-
     /// The field whose contact nodes move as a response says, along their normals, and no others.
     Eigen::VectorXd field_on_contact_nodes(const Body &body, const Eigen::VectorXd &normal_displacements)
     {
@@ -73,7 +54,7 @@ namespace abut
         initial_guess(problem, *compliance, loads, setup_.scene.decomposition.initial_guess);
     state_is_field_ = guess.traction.has_value();
     if (guess.traction)
-      return {respond(setup_.model, *guess.traction), *guess.traction};
+      return {setup_.model.respond(*guess.traction), *guess.traction};
     CarriedState state{{}, Eigen::VectorXd::Zero(problem.n_pressures())};
     for (std::size_t a = 0; a < problem.bodies().size(); ++a)
       state.displacements.push_back(
@@ -88,16 +69,16 @@ namespace abut
     AssertDimension(state.displacements.size(), problem.bodies().size());
     AssertDimension(state.pressures.size(), problem.n_pressures());
     const double gamma = choose_relaxation(problem, setup_.scene.decomposition);
-    const Eigen::VectorXd response = observe(setup_.model, state.displacements);
+    const Eigen::VectorXd response = setup_.model.observe(state.displacements);
     NeumannStep<Fields> step =
         take_neumann_step(problem, gamma, state.displacements, response,
-                          [&](const Eigen::VectorXd &pressures) { return respond(setup_.model, pressures); });
+                          [&](const Eigen::VectorXd &pressures) { return setup_.model.respond(pressures); });
     outcome.state.pressures = relaxed(gamma, step.pressures, problem.law().project(state.pressures));
 
     SchemeResult &iteration = outcome.solution.iteration;
     iteration.traction = state_is_field_ ? outcome.state.pressures : step.pressures;
-    iteration.iterate = observe(setup_.model, step.next);
-    iteration.response = observe(setup_.model, respond(setup_.model, iteration.traction));
+    iteration.iterate = setup_.model.observe(step.next);
+    iteration.response = setup_.model.observe(setup_.model.respond(iteration.traction));
     iteration.steps = 1;
     iteration.relaxation = gamma;
     iteration.increment = relative_change(problem, iteration.iterate, response);

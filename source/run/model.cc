@@ -101,6 +101,24 @@ namespace abut
     return longest;
   }
 
+  Eigen::VectorXd Model::observe(const std::vector<Eigen::VectorXd> &displacements) const
+  {
+    AssertDimension(displacements.size(), bodies_.size());
+    std::vector<Eigen::VectorXd> traces;
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      traces.push_back(bodies_[a]->trace_of(displacements[a]));
+    return problem_->observe(traces);
+  }
+
+  std::vector<Eigen::VectorXd> Model::respond(const Eigen::VectorXd &pressures) const
+  {
+    std::vector<Eigen::VectorXd> displacements(bodies_.size());
+    for_each_body(bodies_.size(), [&](const std::size_t a) {
+      displacements[a] = bodies_[a]->displacement(problem_->contact_forces(a, pressures), 0.);
+    });
+    return displacements;
+  }
+
   bool Model::is_new(const ContactSurface &surface) const
   {
     return std::any_of(surface.pairs().begin(), surface.pairs().end(), [&](const ContactPair &pair) {

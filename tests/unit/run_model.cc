@@ -77,6 +77,19 @@ namespace
 
   INSTANTIATE_TEST_SUITE_P(Degree, CarriedOver, testing::Values("1", "2", "3"));
 
+  TEST(Model, observes_its_answer_to_pressures_as_the_interface_problem_does)
+  {
+    const Scene scene = layers();
+    Model model(scene, nullptr);
+    model.prepare();
+    const InterfaceProblem &problem = model.problem();
+    const Eigen::VectorXd pressures = Eigen::VectorXd::LinSpaced(problem.n_pressures(), 1., 2.);
+    const Eigen::VectorXd expected =
+        problem.loads(0.).response + make_compliance(problem, ComplianceMode::solves, 0.)->apply(pressures);
+    const Eigen::VectorXd response = model.observe(model.respond(pressures));
+    EXPECT_LT((response - expected).norm(), 1e-12 * expected.norm());
+  }
+
   TEST(Model, refining_keeps_the_applied_force)
   {
     const Scene scene = layers();

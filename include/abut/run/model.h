@@ -45,6 +45,11 @@ namespace abut
     /// Assembles and factorises the bodies whose mesh is new, side by side; the longest seconds of both.
     PreparationTimes prepare();
 
+    /// The response (see InterfaceProblem) that displacements of all bodies are.
+    Eigen::VectorXd observe(const std::vector<Eigen::VectorXd> &displacements) const;
+    /// The displacements that all bodies, side by side, answer pressures and their loads with.
+    std::vector<Eigen::VectorXd> respond(const Eigen::VectorXd &pressures) const;
+
     /**
      * Changes the meshes of the bodies with marked cells, one entry of `marks` for each body, and makes the
      * surfaces that see them anew. Nothing is done to other bodies. Fields are carried over, and pressures: a
