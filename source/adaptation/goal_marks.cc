@@ -42,7 +42,7 @@ namespace abut
     double total = 0.;
     for (const GoalCells &body : bodies)
     {
-      marks.split.emplace_back(body.squares.size(), false);
+      marks.cells.push_back(no_marks(body.squares.size()));
       total += body.squares.sum();
     }
     marks.n_split.assign(bodies.size(), 0);
@@ -53,7 +53,7 @@ namespace abut
       const bool enough = carried >= most_in_a_step * total || left <= aim * aim * total;
       if (!(cell.square > 0.) || (enough && cell.square < (1. - 1e-6) * last))
         break;
-      marks.split[cell.body][cell.index] = true;
+      marks.cells[cell.body].refine[cell.index] = true;
       ++marks.n_split[cell.body];
       carried += cell.square;
       left -= cell.gain;

@@ -195,13 +195,7 @@ namespace abut
         cells.push_back({estimation.cell_squares(a), scene.bodies[a].degree, scene.bodies[a].adapt});
       // How a goal of its own follows the energy norm is not known.
       const double aim = scene.goal.is_energy() ? safety * scene.tolerance / last.error_for_tolerance() : .5;
-      std::vector<CellMarks> marks;
-      for (std::vector<bool> &split : goal_marks(cells, aim).split)
-      {
-        const std::size_t n = split.size();
-        marks.push_back({std::move(split), std::vector<bool>(n, false)});
-      }
-      return marks;
+      return goal_marks(cells, aim).cells;
     }
 
     std::vector<CellMarks> marks_of_bodies(const Scene &scene, const Estimation &estimation,

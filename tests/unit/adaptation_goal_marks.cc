@@ -21,8 +21,8 @@ namespace
     // 16 of 20 have to go: splitting keeps an eighth of degree 2, 8 + 6 + 4 are needed for 15.75.
     const GoalMarks marks =
         goal_marks({{squares({8., 1.}), 2, true}, {squares({4., 6., 1.}), 2, true}}, std::sqrt(4.3 / 20.));
-    EXPECT_EQ(marks.split[0], (std::vector<bool>{true, false}));
-    EXPECT_EQ(marks.split[1], (std::vector<bool>{true, true, false}));
+    EXPECT_EQ(marks.cells[0].refine, (std::vector<bool>{true, false}));
+    EXPECT_EQ(marks.cells[1].refine, (std::vector<bool>{true, true, false}));
     EXPECT_EQ(marks.n_split, (std::vector<std::size_t>{1, 2}));
     EXPECT_NEAR(marks.expected, std::sqrt((20. - 18. * .875) / 20.), 1e-12);
   }
@@ -30,7 +30,7 @@ namespace
   TEST(GoalMarks, NoMoreThanNineTenthsOfTheSquaredError)
   {
     const GoalMarks marks = goal_marks({{squares({60., 31., 6., 3.}), 3, true}}, 0.);
-    EXPECT_EQ(marks.split[0], (std::vector<bool>{true, true, false, false}));
+    EXPECT_EQ(marks.cells[0].refine, (std::vector<bool>{true, true, false, false}));
   }
 
   TEST(GoalMarks, TreatEqualErrorsAlike)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/mesh/cell_marks.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -18,9 +20,9 @@ namespace abut
   /// Cells to be split, and what is expected of it.
   struct GoalMarks
   {
-    std::vector<std::vector<bool>> split; ///< body by body, by active cell index
-    std::vector<std::size_t> n_split;     ///< of each body
-    double expected = 1.;                 ///< the error afterwards, by that before
+    std::vector<CellMarks> cells;     ///< body by body; none is merged
+    std::vector<std::size_t> n_split; ///< of each body
+    double expected = 1.;             ///< the error afterwards, by that before
   };
 
   /**
