@@ -12,7 +12,7 @@ namespace abut
   struct KnownTraction
   {
     Vector2 value = Vector2::Zero(); ///< force per area, world frame
-    /// Unit directions d, at right angles, along which `value . d` is the traction. Along the others a
+    /// Unit directions d, at right angles, along which `value.dot(d)` is the traction. Along the others a
     /// support carries what it must.
     std::vector<Vector2> directions;
   };
