@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Exact solution under a rigid flat punch, prm/flat-punch.prm: Westergaard's form of Johnson (1985), sec. 2.8.
+"""Exact solution under a rigid flat punch, prm/flat-punch.prm: Westergaard's form [Westergaard1939] in [Johnson1985, sec. 2.8].
 
 With z = x + i d, d the depth below the top, and G = i P / (pi sqrt(z^2 - a^2)), H its integral:
     xx = -(Re G - d Im G'),  yy = -(Re G + d Im G'),  xy = -d Re G',

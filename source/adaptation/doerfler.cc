@@ -5,7 +5,7 @@ namespace abut
 {
   namespace
   {
-    /// How many of the first cells carry the share of the squared error.
+    /// How many of the first cells carry the share of the squared error [Doerfler1996].
     std::size_t cells_that_carry(const Eigen::VectorXd &errors, const std::vector<std::size_t> &cells,
                                  const double share)
     {

@@ -13,8 +13,8 @@ namespace abut
   namespace
   {
     /**
-     * Gauss rule of the Jacobi weight (1 - x^2)^a on [-1, 1], a = 0 or 1, by Golub and Welsch, Math. Comp. 23
-     * (1969) 221: the points are the eigenvalues of the symmetric tridiagonal matrix of the three-term
+     * Gauss rule of the Jacobi weight (1 - x^2)^a on [-1, 1], a = 0 or 1, by Golub and Welsch
+     * [GolubWelsch1969]: the points are the eigenvalues of the symmetric tridiagonal matrix of the three-term
      * recurrence.
      */
     struct JacobiRule

@@ -12,8 +12,8 @@ namespace
 {
   using namespace abut;
 
-  /// Lame's stress in the ring between the radii 1 and 2 under the pressure 1 inside (Timoshenko & Goodier,
-  /// Theory of Elasticity, art. 28).
+  /// Lame's stress in the ring between the radii 1 and 2 under the pressure 1 inside [Timoshenko1970,
+  /// art. 28].
   Stress lame(const Vector2 &place, const double poisson_ratio)
   {
     const double a = 1. / 3., b = 4. / 3. / place.squaredNorm();

@@ -106,7 +106,7 @@ TEST(DecompositionPivoting, DescentFindsTheMinimumOfRandomProblems)
   std::cout << "most sets of a random problem: " << most << '\n';
 }
 
-// Changing single entries by the least index takes 2^n sets here (Fathi, Math. Program. 17 (1979) 335).
+// Changing single entries by the least index takes 2^n sets here [Fathi1979].
 TEST(DecompositionPivoting, DescentIsNotExponentialWhereSingleExchangesAre)
 {
   for (const Index n : {8, 16, 24})

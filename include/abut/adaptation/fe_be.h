@@ -11,10 +11,11 @@
 namespace abut
 {
   /**
-   * The paper's indicator: the difference of the stresses that finite and boundary elements give for the same
-   * data, ||sigma_B - sigma_F|| in every cell, (24)-(27). Boundary elements answer the contact traction of
-   * the solution, whatever displacement stands beside it: with that of an iterate the difference tells of
-   * discretisation and iteration together. Operators and factors are kept for the present mesh of each body.
+   * The indicator of the paper [Dyyak]: the difference of the stresses that finite and boundary elements give
+   * for the same data, ||sigma_B - sigma_F|| in every cell, (24)-(27). Boundary elements answer the contact
+   * traction of the solution, whatever displacement stands beside it: with that of an iterate the difference
+   * tells of discretisation and iteration together. Operators and factors are kept for the present mesh of
+   * each body.
    */
   class FEBEIndicator : public Indicator
   {

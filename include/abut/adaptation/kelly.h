@@ -8,8 +8,7 @@ namespace abut
   /**
    * Measures how far the tractions of neighbouring cells differ, and those on the boundary from what is known
    * there; for even degrees, where these jumps are of higher order, also how far the cells are out of
-   * balance. D. W. Kelly, J. P. Gago, O. C. Zienkiewicz and I. Babuska, Int. J. Numer. Meth. Engng 19 (1983)
-   * 1593.
+   * balance [Kelly1983].
    *
    * With the normal and tangential parts t_n, t_t of a jump across a face,
    *   error^2 of a cell = sum over its faces of c h int (t_n^2/(lambda + 2 mu) + t_t^2/mu)    (energy norm),

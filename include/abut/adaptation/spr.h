@@ -7,9 +7,8 @@ namespace abut
 {
   /**
    * Compares with polynomials of degree p fitted, around each vertex, to the stress at the superconvergent
-   * points of the cells and to the known tractions on the boundary; O. C. Zienkiewicz and J. Z. Zhu, Int. J.
-   * Numer. Meth. Engng 33 (1992) 1331. In a cell the polynomials of its vertices are blended by their linear
-   * hat functions.
+   * points of the cells and to the known tractions on the boundary [ZienkiewiczZhu1992]. In a cell the
+   * polynomials of its vertices are blended by their linear hat functions.
    */
   class SPRIndicator : public Indicator
   {

@@ -7,7 +7,7 @@ namespace abut
 {
   /**
    * Compares with a continuous stress whose value at each node is the mean of those in the cells around it,
-   * by area; O. C. Zienkiewicz and J. Z. Zhu, Int. J. Numer. Meth. Engng 24 (1987) 337.
+   * by area [ZienkiewiczZhu1987].
    *
    * For smooth solutions and small cells it finds all of the error for p = 1 and sqrt(5/6) of it for p = 3 on
    * quadrilaterals. For p = 2 the averages do not see the leading part of the error: on quadrilaterals the

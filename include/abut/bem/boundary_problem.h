@@ -24,9 +24,8 @@ namespace abut
 
   /**
    * The mixed boundary value problem of plane strain by symmetric Galerkin boundary elements (Sirtori;
-   * Hartmann, Katz and Protopsaltis; see Bonnet, Maier and Polizzotto, Appl. Mech. Rev. 51 (1998) 669). On
-   * each element the displacement is given along its supported directions, the traction along the others, and
-   * the unknowns are what is not given:
+   * Hartmann, Katz and Protopsaltis; see [Bonnet1998]). On each element the displacement is given along its
+   * supported directions, the traction along the others, and the unknowns are what is not given:
    *
    *   [ V_DD  -K_DN ; K_DN^T  W_NN ] [ t ; u ] = [ (M/2 + K) u_D - V t_N ; (M^T/2 - K^T) t_N - W u_D ]
    *

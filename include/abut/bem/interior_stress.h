@@ -29,8 +29,8 @@ namespace abut
    *   s_xx + s_yy           = 4 Re (1/(2 pi i)) int q/w ds
    *   s_yy - s_xx + 2i s_xy = (1/(pi i)) int (p/w - conj(w) q/w^2) ds,   s_zz = nu (s_xx + s_yy)
    *
-   * These are Cauchy's integrals of the potentials of Kolosov and Muskhelishvili (Some Basic Problems of the
-   * Mathematical Theory of Elasticity, chapter 2): q ds is d(phi), so that a translation does not enter at
+   * These are Cauchy's integrals of the potentials of Kolosov and Muskhelishvili
+   * [Muskhelishvili1953, chapter 2]: q ds is d(phi), so that a translation does not enter at
    * all and a rotation only as a constant of q. Own derivation.
    *
    * The elements close the boundary of the body, in any order, each run through with the body on its left.

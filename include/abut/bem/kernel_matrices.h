@@ -12,8 +12,8 @@ namespace abut
    * The integrals that plane elasticity of a homogeneous body is made of, independent of its material: over
    * x on the element of the row and y on the element of the column, w = y - x, against the Legendre
    * polynomials P_i(x) P_j(y); row or column = element (degree + 1) + degree of the polynomial. In
-   * coordinates divided by about the body's diameter. Hsiao & Wendland, Boundary Integral Equations, 2.2;
-   * Sutradhar, Paulino & Gray, Symmetric Galerkin Boundary Element Method (2008), ch. 3.
+   * coordinates divided by about the body's diameter. See [HsiaoWendland2008, 2.2]
+   * and [Sutradhar2008, ch. 3].
    */
   struct KernelMatrices
   {

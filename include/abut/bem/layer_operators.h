@@ -33,8 +33,8 @@ namespace abut
    *   V t = (M/2 + K) u,   W u = (M^T/2 - K^T) t.
    *
    * K u = K_L u + (2 V - L)(-u_2', u_1'), K_L the double layer and L the single layer of the Laplacian, and
-   * <W u, v> = int int v' [4 V - 2 (1-2nu)/(1-nu) L] u' need no principal value. Hsiao & Wendland, Boundary
-   * Integral Equations, Lemma 2.3.1; Sutradhar, Paulino & Gray, Symmetric Galerkin Boundary Element Method.
+   * <W u, v> = int int v' [4 V - 2 (1-2nu)/(1-nu) L] u' need no principal value. See [HsiaoWendland2008,
+   * Lemma 2.3.1] and [Sutradhar2008].
    * For another G: V/G and G W. V is positive definite while the body fits into a circle of radius
    * exp(1/(2 k)), the degenerate scale: divide coordinates by the diameter.
    */

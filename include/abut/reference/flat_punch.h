@@ -16,8 +16,8 @@ namespace abut
   };
 
   /**
-   * Rigid frictionless punch with a flat base on the elastic half-plane y <= 0, plane strain (Johnson,
-   * Contact Mechanics, 1985, sec. 2.8). With z = x + i d, d = -y the depth, p(x) = P/(pi sqrt(a^2 - x^2)),
+   * Rigid frictionless punch with a flat base on the elastic half-plane y <= 0, plane strain
+   * [Johnson1985, sec. 2.8]. With z = x + i d, d = -y the depth, p(x) = P/(pi sqrt(a^2 - x^2)),
    * G(z) = i P/(pi sqrt(z^2 - a^2)),   p = Re G on the surface, sigma_yy = -(Re G + d Im G'),  sigma_xx =
    * -(Re G - d Im G'),  sigma_xy = -d Re G', 2 mu u_x = -(1 - 2nu) Re F + d Im G,   2 mu u_y = 2(1 - nu) Im F
    * - d Re G,   F' = G, with F = i (P/pi) ln((z + sqrt(z^2 - a^2))/a) and a constant that makes u_x odd. The

@@ -4,8 +4,8 @@
 namespace abut
 {
   /**
-   * Frictionless line contact of two cylinders in plane strain (Hertz; Johnson, Contact Mechanics, 1985,
-   * sec. 4.2 and app. 3):
+   * Frictionless line contact of two cylinders in plane strain [Hertz1882], [Johnson1985,
+   * sec. 4.2 and app. 3]:
    *   a = sqrt(4 P R/(pi E*)),  p0 = 2P/(pi a),  p(x) = p0 sqrt(1 - x^2/a^2) >= 0.
    * P is the force per unit thickness of the plane, 1/R = 1/R_1 + 1/R_2 (negative for a hollow side, 0 for a
    * flat one) and 1/E* = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2. Bodies are taken as half-planes: the relative error

@@ -31,8 +31,8 @@ namespace abut
   };
 
   /**
-   * Shrink fit of two concentric parts, frictionless, plane strain (Lame; Timoshenko & Goodier, Theory of
-   * Elasticity, art. 28). In each part
+   * Shrink fit of two concentric parts, frictionless, plane strain (Lame; [Timoshenko1970,
+   * art. 28]). In each part
    *   sigma_r = A - B/r^2,  sigma_hoop = A + B/r^2,  u_r = (1+nu)/E ((1-2nu) A r + B/r),
    * with sigma_r = -p at r = R and 0 at the free radius. The parts meet when u_o(R) - u_i(R) + theta p = D,
    * hence p = D/(compliance + theta) with

@@ -39,8 +39,8 @@ namespace abut
   /**
    * An elastic layer 0 <= y <= thickness in plane strain on a rigid face y = 0, pressed on y = thickness by a
    * pressure without friction. Moduli in force per area, lengths in one unit. A pressure p cos(lambda x)
-   * presses the surface in by (2(1-nu^2)/E) p L(u)/lambda cos(lambda x), u = lambda H, with (Johnson, Contact
-   * Mechanics, 1985, ch. 5)
+   * presses the surface in by (2(1-nu^2)/E) p L(u)/lambda cos(lambda x), u = lambda H, with
+   * [Johnson1985, ch. 5]
    *   sliding base:  L = (cosh 2u - 1)/(sinh 2u + 2u),
    *   bonded base:   L = (2 kappa sinh 2u - 4u)/(2 kappa cosh 2u + 1 + kappa^2 + 4u^2),  kappa = 3 - 4 nu.
    */
@@ -79,7 +79,7 @@ namespace abut
     /**
      * The wave lambda = u/H. Sliding: f = a cosh v + b v sinh v; bonded, with m = 2(1-nu), f = a (cosh v - v
      * sinh v/m) + c ((m-1) sinh v + v cosh v), which has no displacement at v = 0; both with f(u) = 1 and
-     * f'(u) = 0 (Timoshenko & Goodier, Theory of Elasticity, art. 24).
+     * f'(u) = 0 [Timoshenko1970, art. 24].
      */
     AiryWave wave(double u) const;
     /// The same less the wave of a half-plane, f = (1 + u - v) exp(v - u).

@@ -9,7 +9,7 @@ namespace abut
   /**
    * Singular field at the corner of three quadrants, plane strain: material everywhere but in x > 0, y < 0,
    * the faces y = 0, x > 0 and x = 0, y < 0 free of traction, symmetric about the bisector of the material,
-   * the direction of the angle 3 pi/4 (Williams, J. Appl. Mech. 19, 1952, 526-528). With omega = 3 pi/2 the
+   * the direction of the angle 3 pi/4 [Williams1952]. With omega = 3 pi/2 the
    * exponent is the least positive root of
    *   sin(alpha omega) + alpha sin(omega) = 0,   alpha = 0.5444837367...,
    * and in coordinates turned by 3 pi/4, z = r exp(i phi), with |phi| <= omega/2,

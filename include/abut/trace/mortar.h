@@ -15,9 +15,7 @@ namespace abut
    *     u_s = D^-1 (M u_m - E u_e),   D_ij = int psi_i phi_j,   M_ij = int psi_i phi^m_j,
    *
    * in each component, from the other side's nodes and the slave's own at the ends, which stay free: there
-   * the multipliers have a degree less (Bernardi, Maday, Patera, A new nonconforming approach to domain
-   * decomposition: the mortar element method, 1994). Dual multipliers are those of Wohlmuth, A mortar finite
-   * element method using dual spaces for the Lagrange multiplier, SIAM J. Numer. Anal. 38 (2000): D is
+   * the multipliers have a degree less [Bernardi1994]. Dual multipliers are those of [Wohlmuth2000]: D is
    * diagonal. On the nodes of Gauss-Lobatto rules those of degree p contain the polynomials of degree p - 1,
    * as the standard ones do. The slave's ends are where it begins and ends and where it turns by 45 degrees.
    */

@@ -19,7 +19,7 @@ namespace abut
   /**
    * A basis of the polynomials of degree k in the coordinates of the plane: monomials in affine coordinates
    * in which the cell is about [-1, 1]^2. Polynomials of the reference cell's coordinates would lose an order
-   * on distorted cells (Arnold, Boffi, Falk, Math. Comp. 71 (2002), 909-922).
+   * on distorted cells [Arnold2002].
    */
   class CellPolynomials
   {
@@ -39,9 +39,8 @@ namespace abut
 
   /**
    * The L2 projection P div u on a quadrilateral onto the polynomials of degree p - 1, p the degree of u.
-   * With lambda P div u as the pressure this is the mixed method Q_p/P_(p-1) (Malkus, Hughes, Comput. Methods
-   * Appl. Mech. Engrg. 15 (1978), 63-81; Boffi, Brezzi, Fortin, Mixed Finite Element Methods and
-   * Applications, section 8.6), stable for p >= 2; Q1/P0 is used for p = 1.
+   * With lambda P div u as the pressure this is the mixed method Q_p/P_(p-1) [MalkusHughes1978],
+   * [Boffi2013, section 8.6], stable for p >= 2; Q1/P0 is used for p = 1.
    */
   class ProjectedDivergence
   {

@@ -6,8 +6,8 @@
 namespace abut
 {
   /**
-   * The parallel Neumann scheme, (20)-(21) of the paper: p^k from the contact law of u^k, every body solves
-   * with it (u~), u^{k+1} = gamma u~ + (1 - gamma) u^k.
+   * The parallel Neumann scheme, (20)-(21) of the paper [Dyyak]: p^k from the contact law of u^k, every body
+   * solves with it (u~), u^{k+1} = gamma u~ + (1 - gamma) u^k.
    *
    * Iteration error, guaranteed: ||u^k - u_theta||_A <= ||u~ - u^k||_A, since the functional's derivative is
    * a(.,.) plus a monotone term. For displacements that answer pressures q^k it is (p^k - q^k) . C (p^k -

@@ -11,7 +11,6 @@ namespace abut
     bool optimal = true; ///< false: the steps ran out, |A x - b| may become smaller still
   };
 
-  /// x >= 0 that makes |A x - b| smallest: the active-set method of Lawson and Hanson, Solving Least Squares
-  /// Problems (1974), chapter 23.
+  /// x >= 0 that makes |A x - b| smallest: the active-set method of [LawsonHanson1974], chapter 23.
   NonnegativeFit nonnegative_fit(const Eigen::MatrixXd &matrix, const Eigen::VectorXd &right_side);
 } // namespace abut

@@ -12,8 +12,8 @@
 namespace abut
 {
   /**
-   * Block principal pivoting: all infeasible multipliers change their side; see Judice and Pires, Comput.
-   * Oper. Res. 21 (1994) 587. A few steps where it works, but it need not end.
+   * Block principal pivoting: all infeasible multipliers change their side [JudicePires1994]. A few
+   * steps where it works, but it need not end.
    */
   class BlockPivoting
   {
@@ -33,7 +33,7 @@ namespace abut
    * The way out: pressures p >= 0 move towards the solution on the active set as far as they stay
    * nonnegative, and those that become zero leave it; where all of the way was gone, those that overlap
    * enter, all together or, where that led back, the worst alone. The energy falls from one minimum on a set
-   * to the next, so that no set comes back (Lawson and Hanson, Solving Least Squares Problems, 1974, ch. 23).
+   * to the next, so that no set comes back [LawsonHanson1974, ch. 23].
    */
   class ActiveSetDescent
   {
@@ -85,9 +85,9 @@ namespace abut
    *
    * Each step solves on the active set, which block pivoting changes and, where it does not get on,
    * ActiveSetDescent. Floating bodies need no contact in the set: H is replaced by H + eps
-   * with a pull back to the last alpha (the proximal point method, Rockafellar, SIAM J. Control Optim. 14
-   * (1976) 877), which is repeated with ever smaller eps until the bodies balance. The limit does not depend
-   * on eps; a motion that the contact leaves undetermined stays where it was.
+   * with a pull back to the last alpha (the proximal point method [Rockafellar1976]), which is repeated with
+   * ever smaller eps until the bodies balance. The limit does not depend on eps; a motion that the contact
+   * leaves undetermined stays where it was.
    */
   class ActiveSetMethod
   {

@@ -18,8 +18,7 @@ namespace abut
   /**
    * Modified proportioning with reduced gradient projections: conjugate gradients on the free unknowns,
    * which are left by a projected gradient step where they meet the bound, or by a step along the bound's own
-   * gradient where that is the larger one. Dostal and Schoeberl, Comput. Optim. Appl. 30 (2005) 23. The rate
-   * depends on the condition of Q alone.
+   * gradient where that is the larger one [Dostal2005]. The rate depends on the condition of Q alone.
    */
   class ProjectedGradients
   {
