@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 #
-# What awk programs that read our pages share. Functions that begin with an underscore are used here only.
+# What awk programs that read our pages share.
 
-# The anchor that GitHub gives a heading: lower case, blanks as hyphens, letters, digits, hyphens and underscores.
+# The anchor that GitHub gives a heading: lower case, blanks as hyphens, letters, digits, hyphens and underscores; a
+# number behind it where the page has had that heading before. Called once for every heading of a page but the first.
 function anchor_of(heading) {
+  sub(/^#+ +/, "", heading)
   gsub(/\]\([^)]*\)/, "", heading)
   heading = tolower(heading)
   gsub(/[^a-z0-9 _-]/, "", heading)
   gsub(/ /, "-", heading)
-  return heading
+  return n_anchors[heading]++ ? heading "-" (n_anchors[heading] - 1) : heading
 }
 
 # What a link that stands on `page` means, as a path from the root of the checkout.

@@ -75,9 +75,7 @@ function translated_span(text) { return in_code ? text : translated_text(text) }
 function translated_heading(line,    id) {
   gsub(/`/, "", line)
   if (!headings++) return line " {#" (page == "README.md" ? "mainpage" : id_of(page)) "}\n\n@tableofcontents{html:2}"
-  id = line
-  sub(/^#+ +/, "", id)
-  id = id_of(page, anchor_of(id))
+  id = id_of(page, anchor_of(line))
   return page == "README.md" ? "@anchor " id "\n" line : line " {#" id "}"
 }
 
