@@ -58,14 +58,29 @@ function with_formulas(text) {
 }
 
 # A line: what stands between backticks stays as it is; such code may go on in the next line. Two backticks, for to
-# Doxygen a ' ends what begins with one.
-function translated(line,    result, place) {
+# Doxygen a ' ends what begins with one; and tags where the code has a \| in a table, of which Doxygen would show both.
+function translated(line,    result, place, span) {
   while (place = index(line, "`")) {
-    result = result translated_span(substr(line, 1, place - 1)) "``"
+    result = result translated_span(substr(line, 1, place - 1))
     line = substr(line, place + 1)
-    in_code = !in_code
+    place = index(line, "`")
+    span = substr(line, 1, place - 1)
+    if (!in_code && index(span, "\\|")) {
+      result = result "<code>" escaped(span) "</code>"
+      line = substr(line, place + 1)
+    } else {
+      result = result "``"
+      in_code = !in_code
+    }
   }
   return result translated_span(line)
+}
+
+function escaped(code) {
+  gsub(/&/, "\\&amp;", code)
+  gsub(/</, "\\&lt;", code)
+  gsub(/>/, "\\&gt;", code)
+  return code
 }
 
 function translated_span(text) { return in_code ? text : translated_text(text) }
