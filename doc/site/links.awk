@@ -12,8 +12,9 @@
     if (!in_code) text = text spans[i]
     if (i < n) in_code = !in_code
   }
-  while (match(text, /\]\([^) ]+\)/)) {
-    link = substr(text, RSTART + 2, RLENGTH - 3)
+  while (match(text, /\]\([^) ]+\)|<img src="[^"]*"/)) {
+    link = substr(text, RSTART, RLENGTH)
+    gsub(/^\]\(|\)$|^<img src="|"$/, "", link)
     text = substr(text, RSTART + RLENGTH)
     if (link ~ /^[a-z]+:/) continue
     anchor = ""

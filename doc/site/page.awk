@@ -31,7 +31,7 @@ function target_of(link,    path, anchor) {
 
 # Text without code: links, pictures and formulas.
 function translated_text(text,    before, result, link, alt) {
-  while (match(text, /!\[[^\]]*\]\([^)]*\)|\]\([^) ]+\)|\$\$/)) {
+  while (match(text, /!\[[^\]]*\]\([^)]*\)|\]\([^) ]+\)|\$\$|<img src="[^"]*"/)) {
     link = substr(text, RSTART, RLENGTH)
     before = substr(text, 1, RSTART - 1)
     text = substr(text, RSTART + RLENGTH)
@@ -39,6 +39,9 @@ function translated_text(text,    before, result, link, alt) {
     if (link == "$$") {
       displayed = !displayed
       result = result (displayed ? "\\f[" : "\\f]")
+    } else if (link ~ /^</) {
+      gsub(/^[^"]*"|"$/, "", link)
+      result = result "<img src=\"files/" path_of(page, link) "\""
     } else if (link ~ /^!/) {
       alt = link
       sub(/^!\[/, "", alt)
@@ -60,6 +63,7 @@ function with_formulas(text) {
 # A line: what stands between backticks stays as it is; such code may go on in the next line. Two backticks, for to
 # Doxygen a ' ends what begins with one; and tags where the code has a \| in a table, of which Doxygen would show both.
 function translated(line,    result, place, span) {
+  line = with_plain_links(line)
   while (place = index(line, "`")) {
     result = result translated_span(substr(line, 1, place - 1))
     line = substr(line, place + 1)
@@ -74,6 +78,16 @@ function translated(line,    result, place, span) {
     }
   }
   return result translated_span(line)
+}
+
+# Code as the text of a link, which Doxygen would show with its backticks.
+function with_plain_links(line,    result, text) {
+  while (!in_code && match(line, /\[`[^`]*`\]\(/)) {
+    text = substr(line, RSTART + 2, RLENGTH - 5)
+    result = result substr(line, 1, RSTART) escaped(text) "]("
+    line = substr(line, RSTART + RLENGTH)
+  }
+  return result line
 }
 
 function escaped(code) {
