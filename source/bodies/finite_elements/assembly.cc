@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/plane_geometry.h>
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 
 namespace abut
 {
@@ -34,42 +37,89 @@ namespace abut
       return matrix;
     }
 
-    /// int lambda div u div v + 2 mu eps(u) : eps(v), the lower triangle.
-    dealii::FullMatrix<double> cell_stiffness(const dealii::FEValues<2> &values, const double lambda,
-                                              const double mu)
+    /**
+     * int lambda div u div v + 2 mu eps(u) : eps(v) on one cell after the other. With X, Y the derivatives of
+     * the scalar shape functions at the quadrature points, times the roots of the weights, the blocks of the
+     * two components are xx: (lambda + 2 mu) X X^T + mu Y Y^T,   yy: (lambda + 2 mu) Y Y^T + mu X X^T, xy:
+     * lambda X Y^T + mu Y X^T.
+     */
+    class CellStiffness
     {
-      const auto &fe = values.get_fe();
-      dealii::FullMatrix<double> matrix(fe.n_dofs_per_cell());
-      for (const unsigned int q : values.quadrature_point_indices())
-        for (const unsigned int i : values.dof_indices())
+    public:
+      explicit CellStiffness(const dealii::FiniteElement<2> &element)
+          : matrix_(element.n_dofs_per_cell(), element.n_dofs_per_cell())
+      {
+        for (std::size_t component = 0; component < 2; ++component)
+          for (unsigned int i = 0; i < element.base_element(0).n_dofs_per_cell(); ++i)
+            dofs_[component].push_back(
+                element.component_to_system_index(static_cast<unsigned int>(component), i));
+      }
+
+      const Eigen::MatrixXd &compute(const dealii::FEValues<2> &values, const double lambda, const double mu)
+      {
+        const auto n = static_cast<Index>(dofs_[0].size());
+        x_.resize(n, values.n_quadrature_points);
+        y_.resize(n, values.n_quadrature_points);
+        for (const unsigned int q : values.quadrature_point_indices())
         {
-          const auto grad_i = values.shape_grad(i, q);
-          const unsigned int ci = fe.system_to_component_index(i).first;
-          for (unsigned int j = 0; j <= i; ++j)
+          const double root = std::sqrt(values.JxW(q));
+          for (Index i = 0; i < n; ++i)
           {
-            const auto grad_j = values.shape_grad(j, q);
-            const unsigned int cj = fe.system_to_component_index(j).first;
-            matrix(i, j) += (lambda * grad_i[ci] * grad_j[cj] + mu * grad_i[cj] * grad_j[ci] +
-                             (ci == cj ? mu * (grad_i * grad_j) : 0.)) *
-                            values.JxW(q);
+            const auto gradient = values.shape_grad(dofs_[0][static_cast<std::size_t>(i)], q);
+            x_(i, q) = root * gradient[0];
+            y_(i, q) = root * gradient[1];
           }
         }
-      return matrix;
-    }
+        const Eigen::MatrixXd xx = x_ * x_.transpose(), yy = y_ * y_.transpose(), xy = x_ * y_.transpose();
+        matrix_(dofs_[0], dofs_[0]) = (lambda + 2. * mu) * xx + mu * yy;
+        matrix_(dofs_[1], dofs_[1]) = (lambda + 2. * mu) * yy + mu * xx;
+        matrix_(dofs_[0], dofs_[1]) = lambda * xy + mu * xy.transpose();
+        matrix_(dofs_[1], dofs_[0]) = matrix_(dofs_[0], dofs_[1]).transpose();
+        return matrix_;
+      }
 
-    /// The same with P div in place of div.
-    dealii::FullMatrix<double> projected_cell_stiffness(const Cell &cell, const dealii::FEValues<2> &values,
-                                                        const double lambda, const double mu)
+    private:
+      std::array<std::vector<unsigned int>, 2> dofs_; ///< of each component, by scalar shape function
+      Eigen::MatrixXd x_, y_, matrix_;
+    };
+
+    /// lambda int (P div u) (P div v).
+    Eigen::MatrixXd projected_volumetric_stiffness(const Cell &cell, const dealii::FEValues<2> &values,
+                                                   const double lambda)
     {
-      dealii::FullMatrix<double> matrix = cell_stiffness(values, 0., mu);
       const CellPolynomials polynomials(cell, values.get_fe().degree - 1);
       const Eigen::MatrixXd root = ProjectedDivergence(polynomials, values).root();
-      const Eigen::MatrixXd volumetric = lambda * (root.transpose() * root);
-      for (const unsigned int i : values.dof_indices())
-        for (unsigned int j = 0; j <= i; ++j)
-          matrix(i, j) += volumetric(i, j);
-      return matrix;
+      return lambda * (root.transpose() * root);
     }
+
+    /// Adds a cell's matrix: the columns of each row in their order, as the pattern has them.
+    class Scatter
+    {
+    public:
+      explicit Scatter(Eigen::SparseMatrix<double> &matrix) : matrix_(matrix) {}
+
+      void add(const std::vector<dealii::types::global_dof_index> &dofs, const Eigen::MatrixXd &cell)
+      {
+        order_.resize(dofs.size());
+        std::iota(order_.begin(), order_.end(), 0u);
+        std::sort(order_.begin(), order_.end(),
+                  [&](const unsigned int i, const unsigned int j) { return dofs[i] < dofs[j]; });
+        for (std::size_t j = 0; j < dofs.size(); ++j)
+        {
+          Index position = matrix_.outerIndexPtr()[dofs[j]];
+          for (const unsigned int i : order_)
+          {
+            while (matrix_.innerIndexPtr()[position] < static_cast<int>(dofs[i]))
+              ++position;
+            matrix_.valuePtr()[position] += cell(i, static_cast<Index>(j));
+          }
+        }
+      }
+
+    private:
+      Eigen::SparseMatrix<double> &matrix_;
+      std::vector<unsigned int> order_;
+    };
   } // namespace
 
   Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const CellMaterials &materials,
@@ -77,21 +127,22 @@ namespace abut
   {
     Eigen::SparseMatrix<double> stiffness = zero_matrix(space.dof_handler());
     const auto &fe = space.dof_handler().get_fe();
+    const auto places = projects ? dealii::update_quadrature_points : dealii::update_default;
     dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
-                               dealii::update_gradients | dealii::update_JxW_values |
-                                   dealii::update_quadrature_points);
+                               dealii::update_gradients | dealii::update_JxW_values | places);
+    CellStiffness cell_stiffness(fe);
+    Scatter scatter(stiffness);
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);
       const double lambda = materials(cell).lambda(), mu = materials(cell).mu();
-      const dealii::FullMatrix<double> matrix =
-          projects ? projected_cell_stiffness(cell, values, lambda, mu) : cell_stiffness(values, lambda, mu);
-      for (const unsigned int i : values.dof_indices())
-        for (const unsigned int j : values.dof_indices())
-          stiffness.coeffRef(static_cast<Index>(dofs[i]), static_cast<Index>(dofs[j])) +=
-              i >= j ? matrix(i, j) : matrix(j, i);
+      if (projects)
+        scatter.add(dofs, cell_stiffness.compute(values, 0., mu) +
+                              projected_volumetric_stiffness(cell, values, lambda));
+      else
+        scatter.add(dofs, cell_stiffness.compute(values, lambda, mu));
     }
     return stiffness;
   }
