@@ -95,10 +95,10 @@ namespace abut
         of_body[a] = bodies_[a]->prepare();
     });
     is_prepared_.assign(bodies_.size(), true);
-    PreparationTimes longest;
-    for (const PreparationTimes &t : of_body)
-      longest = {std::max(longest.assemble, t.assemble), std::max(longest.factorise, t.factorise)};
-    return longest;
+    // Side by side: the others have been done meanwhile.
+    return *std::max_element(of_body.begin(), of_body.end(), [](const auto &a, const auto &b) {
+      return a.assemble + a.factorise < b.assemble + b.factorise;
+    });
   }
 
   Eigen::VectorXd Model::observe(const std::vector<Eigen::VectorXd> &displacements) const

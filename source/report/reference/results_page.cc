@@ -16,9 +16,9 @@ namespace abut
 Every key of `summary.json`, every column of the CSV files and every field of the VTU files. The program
 prints this page (`abut --reference results`; `contrib/reference` renews it).
 
-Lengths and stresses are in the units of the parameter file, all others follow from them ([frames and
-units](parameters.md#frames-and-units)): a force / thickness is stress times length, an energy / thickness
-stress times length squared. "Relative" is a pure number, 0.01 is one per cent; it is relative to the
+Lengths and stresses are in the units of the parameter file, all others follow from them
+([frames and units](parameters.md#frames-and-units)): a force / thickness is stress times length, an energy /
+thickness stress times length squared. "Relative" is a pure number, 0.01 is one per cent; it is relative to the
 solution, unless something else is said. Scenes that are one half or a quarter of a symmetric body tell forces
 and energies of what is modelled. Components and places are those of the plane, undeformed.
 

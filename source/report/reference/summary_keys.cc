@@ -185,34 +185,35 @@ namespace abut
 
     Keys keys_of_costs()
     {
-      return {{"time_s", "object", "",
-               "seconds of wall clock by task; bodies are prepared side by side, of which the longest "
-               "counts: the tasks may add up to a little more than the total"},
-              {"time_s.total", "number", "s", "since the scene was read, to the last file but this one"},
-              {"time_s.mesh", "number", "s", "meshes, sides, contacts"},
-              {"time_s.assemble", "number", "s", "stiffness matrices, the longest of the bodies"},
-              {"time_s.factorise", "number", "s", "their factors, the longest of the bodies"},
-              {"time_s.solve", "number", "s", "fields of the bodies from the contact forces"},
-              {"time_s.interface", "number", "s", "the scheme, its solves included"},
-              {"time_s.bem", "number", "s",
-               "boundary elements, added up over bodies that are solved side by side; takes place within "
-               "`estimate`"},
-              {"time_s.estimate", "number", "s", "estimates of errors"},
-              {"time_s.adapt", "number", "s", "marking, splitting, carrying over"},
-              {"time_s.reference", "number", "s", "comparing with the exact solution"},
-              {"time_s.output", "number", "s", "files and pictures"},
-              {"counters", "object", "", "how often the expensive things were done"},
-              {"counters.bodies", "object", "", "by body"},
-              {"counters.bodies.<body>", "object", "", "of one body, all passes"},
-              {"counters.bodies.<body>.meshes", "count", "", "meshes made"},
-              {"counters.bodies.<body>.assemblies", "count", "", "stiffness matrices"},
-              {"counters.bodies.<body>.factorisations", "count", "", "factors"},
-              {"counters.bodies.<body>.solves", "count", "", "right sides solved for"},
-              {"counters.bodies.<body>.mortars", "count", "", "couplings of two sides inside the body"},
-              {"counters.mpi_initialised", "true or false", "", "whether MPI was started"},
-              {"counters.p4est_initialised", "true or false", "", "whether p4est was started"},
-              {"versions", "object", "", "of the program and of the libraries that numbers depend on"},
-              {"versions.<name>", "text", "", "abut, deal.II, Eigen, CHOLMOD"}};
+      return {
+          {"time_s", "object", "",
+           "seconds of wall clock by task; bodies are prepared side by side, of which the one that takes "
+           "longest counts"},
+          {"time_s.total", "number", "s", "since the scene was read, to the last file but this one"},
+          {"time_s.mesh", "number", "s", "meshes, sides, contacts"},
+          {"time_s.assemble", "number", "s", "stiffness matrix of the body that takes longest to prepare"},
+          {"time_s.factorise", "number", "s", "its factor"},
+          {"time_s.solve", "number", "s", "fields of the bodies from the contact forces"},
+          {"time_s.interface", "number", "s", "the scheme, its solves included"},
+          {"time_s.bem", "number", "s",
+           "boundary elements, added up over bodies that are solved side by side; takes place within "
+           "`estimate`"},
+          {"time_s.estimate", "number", "s", "estimates of errors"},
+          {"time_s.adapt", "number", "s", "marking, splitting, carrying over"},
+          {"time_s.reference", "number", "s", "comparing with the exact solution"},
+          {"time_s.output", "number", "s", "files and pictures"},
+          {"counters", "object", "", "how often the expensive things were done"},
+          {"counters.bodies", "object", "", "by body"},
+          {"counters.bodies.<body>", "object", "", "of one body, all passes"},
+          {"counters.bodies.<body>.meshes", "count", "", "meshes made"},
+          {"counters.bodies.<body>.assemblies", "count", "", "stiffness matrices"},
+          {"counters.bodies.<body>.factorisations", "count", "", "factors"},
+          {"counters.bodies.<body>.solves", "count", "", "right sides solved for"},
+          {"counters.bodies.<body>.mortars", "count", "", "couplings of two sides inside the body"},
+          {"counters.mpi_initialised", "true or false", "", "whether MPI was started"},
+          {"counters.p4est_initialised", "true or false", "", "whether p4est was started"},
+          {"versions", "object", "", "of the program and of the libraries that numbers depend on"},
+          {"versions.<name>", "text", "", "abut, deal.II, Eigen, CHOLMOD"}};
     }
   } // namespace
 
