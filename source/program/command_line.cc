@@ -14,6 +14,8 @@
 #include <abut/study/scheme_comparison.h>
 #include <abut/study/study.h>
 
+#include <cstdlib>
+#include <initializer_list>
 #include <iostream>
 #include <unistd.h>
 
@@ -33,7 +35,7 @@ namespace abut
       const WallClock clock;
       Simulation simulation(scene);
       simulation.check_supports();
-      make_output_directory(scene.output_directory);
+      const OutputDirectory directory(scene.output_directory);
       remove_old_results(scene.output_directory);
       History history;
       PassDrawings drawings;
@@ -100,8 +102,27 @@ namespace abut
       return status_of(complaints.empty());
     }
 
+    /// A number that Open MPI's mpirun or another process manager tells the processes it starts; 0 without
+    /// one.
+    int told_by_mpirun(std::initializer_list<const char *> names)
+    {
+      for (const char *name : names)
+        if (const char *value = std::getenv(name))
+          return std::atoi(value);
+      return 0;
+    }
+
     int run(const Arguments &arguments, std::ostream &out, std::ostream &err)
     {
+      if (const int n = told_by_mpirun({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}); n > 1)
+      {
+        if (told_by_mpirun({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}) == 0)
+          err << "abut: received " << n
+              << " processes from mpirun, a run is one process; start it without mpirun (it uses the cores "
+                 "of "
+                 "this machine by threads)\n";
+        return ExitStatus::wrong_input;
+      }
       if (arguments.print_parameters)
       {
         Scene::print_parameters(out);

@@ -4,8 +4,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace abut
@@ -52,21 +54,40 @@ namespace abut
     throw UserError("Output: the file " + path + " could not be written (" + failure + ")");
   }
 
-  void make_output_directory(const std::string &path)
+  namespace
   {
-    std::error_code error;
-    if (std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error))
-      throw UserError("Output/Directory: received `" + path + "`, which is a file; a folder is needed");
-    std::filesystem::create_directories(path, error);
-    if (error)
-      throw UserError("Output/Directory: the folder `" + path + "` could not be made (" + error.message() +
-                      ")");
-    const std::string probe = temporary_name((std::filesystem::path(path) / "probe").string());
-    const bool writable = write_plainly(probe, "");
-    const std::string failure = reason_of(errno);
-    std::filesystem::remove(probe, error);
-    if (!writable)
-      throw UserError("Output/Directory: nothing can be written in the folder `" + path + "` (" + failure +
-                      ")");
+    void make_directory(const std::string &path)
+    {
+      std::error_code error;
+      if (std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error))
+        throw UserError("Output/Directory: received `" + path + "`, which is a file; a folder is needed");
+      std::filesystem::create_directories(path, error);
+      if (error)
+        throw UserError("Output/Directory: the folder `" + path + "` could not be made (" + error.message() +
+                        ")");
+      const std::string probe = temporary_name((std::filesystem::path(path) / "probe").string());
+      const bool writable = write_plainly(probe, "");
+      const std::string failure = reason_of(errno);
+      std::filesystem::remove(probe, error);
+      if (!writable)
+        throw UserError("Output/Directory: nothing can be written in the folder `" + path + "` (" + failure +
+                        ")");
+    }
+  } // namespace
+
+  OutputDirectory::OutputDirectory(const std::string &path)
+  {
+    make_directory(path);
+    descriptor_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+      return;
+    close(descriptor_);
+    throw UserError("Output/Directory: another run writes its results to `" + path +
+                    "` at this moment; name another folder (--output), or wait for its end");
+  }
+
+  OutputDirectory::~OutputDirectory()
+  {
+    close(descriptor_); // and with it the lock
   }
 } // namespace abut

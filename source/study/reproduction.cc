@@ -35,13 +35,17 @@ namespace abut
       return run;
     }
 
-    PaperRuns run_all(const Scene &scene, const std::vector<std::string> &overrides)
+    std::vector<Scene> read_variants_of(const Scene &scene, const std::vector<std::string> &overrides)
+    {
+      std::vector<Scene> scenes;
+      for (const StudyParameters::Variant &variant : scene.study.variants)
+        scenes.push_back(read_variant(scene.file, overrides, variant));
+      return scenes;
+    }
+
+    PaperRuns run_all(const Scene &scene, const std::vector<Scene> &scenes)
     {
       const std::vector<StudyParameters::Variant> &variants = scene.study.variants;
-      std::vector<Scene> scenes; // all are read before the first one runs
-      for (const StudyParameters::Variant &variant : variants)
-        scenes.push_back(read_variant(scene.file, overrides, variant));
-      make_output_directory(scene.output_directory);
       PaperRuns runs;
       runs.base = named_run(scene, name_of(scene), {});
       for (std::size_t i = 0; i < scenes.size(); ++i)
@@ -50,7 +54,7 @@ namespace abut
     }
 
     /// The paper's numerical example. Whether the scene itself reached what it was asked for.
-    bool reproduce_example(const Scene &scene, const std::vector<std::string> &overrides, std::string &text)
+    bool reproduce_example(const Scene &scene, const std::vector<Scene> &variants, std::string &text)
     {
       if (scene.reference.solution != "infinite layers sliding")
         throw UserError(scene.file +
@@ -58,21 +62,21 @@ namespace abut
                         "the combined algorithm");
       const LayersReference reference(scene, Layer::Ends::infinite, Layer::Base::sliding);
       const PressedLayers &exact = reference.solution();
-      const PaperRuns runs = run_all(scene, overrides);
+      const PaperRuns runs = run_all(scene, variants);
       text =
           write_run_table(scene, runs, exact.half_width()) + '\n' + write_paper_figures(scene, runs, exact);
       return runs.base.converged;
     }
 
     /// Errors against cost. The same answer.
-    bool reproduce_errors(const Scene &scene, const std::vector<std::string> &overrides, std::string &text)
+    bool reproduce_errors(const Scene &scene, const std::vector<Scene> &variants, std::string &text)
     {
       const auto exact = make_exact_solution(scene);
       if (exact == nullptr || !exact->stress(0))
         throw UserError("Reference/Exact solution: received `" + scene.reference.solution +
                         "`, allowed for `abut reproduce` without Adaptation/Combined are solutions with a "
                         "stress: the figures show true errors");
-      PaperRuns runs = run_all(scene, overrides);
+      PaperRuns runs = run_all(scene, variants);
       const bool converged = runs.base.converged;
       runs.variants.insert(runs.variants.begin(), std::move(runs.base));
       text = write_error_figures(scene, runs.variants);
@@ -84,9 +88,11 @@ namespace abut
                         std::ostream &out)
   {
     const Scene scene = Scene::read(file, overrides);
+    const std::vector<Scene> variants = read_variants_of(scene, overrides); // all, before the first one runs
+    const OutputDirectory directory(scene.output_directory);
     std::string text;
-    const bool converged = scene.adaptation.combined ? reproduce_example(scene, overrides, text)
-                                                     : reproduce_errors(scene, overrides, text);
+    const bool converged = scene.adaptation.combined ? reproduce_example(scene, variants, text)
+                                                     : reproduce_errors(scene, variants, text);
     if (!quiet)
       out << text << "  Figures and data in " << scene.output_directory << '\n';
     return converged;

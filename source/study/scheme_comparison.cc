@@ -189,7 +189,7 @@ namespace abut
       parameters.scheme = scheme;
       runs.push_back(run_scheme(model, parameters, loads, reference));
     }
-    make_output_directory(scene.output_directory);
+    const OutputDirectory directory(scene.output_directory);
     const std::string path = write_result(scene, "schemes.csv", scheme_csv(runs));
     if (!quiet)
       out << model.counts().dofs << " unknowns, " << model.problem().n_pressures()

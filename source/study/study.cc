@@ -91,7 +91,7 @@ namespace abut
     const Scene scene = read_study(file, overrides);
     const std::vector<ReadVariant> variants = read_variants(scene, overrides);
     const std::vector<StudyLine> peers = read_peers(scene);
-    make_output_directory(scene.output_directory);
+    const OutputDirectory directory(scene.output_directory);
     FineRuns fine_runs(scene.output_directory, quiet ? nullptr : &out);
     std::vector<StudyRun> runs;
     std::vector<std::string> failures;

@@ -66,18 +66,28 @@ namespace
 
   TEST_F(ReportFolder, OutputDirectoryIsMadeWithItsParents)
   {
-    make_output_directory(folder_ / "a" / "b");
-    make_output_directory(folder_ / "a" / "b");
-    EXPECT_TRUE(fs::is_empty(folder_ / "a" / "b"));
+    const std::string path = folder_ / "a" / "b";
+    {
+      const OutputDirectory first(path);
+    }
+    const OutputDirectory second(path);
+    EXPECT_TRUE(fs::is_empty(path));
+  }
+
+  TEST_F(ReportFolder, OutputDirectoryIsForOneRunAtATime)
+  {
+    const OutputDirectory first(folder_ / "a");
+    expect_phrase(message_of([&] { OutputDirectory{folder_ / "a"}; }), "another run writes its results to");
+    const OutputDirectory other(folder_ / "b");
   }
 
   TEST_F(ReportFolder, OutputDirectoryMustBeAWritableFolder)
   {
     const std::string taken = folder_ / "file";
     write_file(taken, "old");
-    expect_phrase(message_of([&] { make_output_directory(taken); }), "`" + taken + "`, which is a file");
-    expect_phrase(message_of([&] { make_output_directory(taken + "/below"); }), "could not be made");
-    expect_phrase(message_of([&] { make_output_directory("/proc/self"); }), "nothing can be written");
+    expect_phrase(message_of([&] { OutputDirectory{taken}; }), "`" + taken + "`, which is a file");
+    expect_phrase(message_of([&] { OutputDirectory{taken + "/below"}; }), "could not be made");
+    expect_phrase(message_of([&] { OutputDirectory{"/proc/self"}; }), "nothing can be written");
     EXPECT_EQ(content_of(taken), "old");
   }
 
@@ -174,7 +184,7 @@ namespace
   TEST_F(ReportedScene, AllFilesAreWrittenAndTheSummaryKnowsWhatIsMissing)
   {
     const fs::path folder = fs::path(file.directory()) / "out";
-    make_output_directory(folder);
+    fs::create_directories(folder);
     write_file(folder / "solution.svg", "stale");
     const Written written = write_all(results, History(), PassDrawings(), folder, 1.);
     std::vector<std::string> names;
@@ -197,7 +207,7 @@ namespace
     for (const std::string blocked : {"solution_upper.vtu", "report.html"})
     {
       const fs::path folder = fs::path(file.directory()) / ("without " + blocked);
-      make_output_directory(folder);
+      fs::create_directories(folder);
       write_file(folder / "summary.json", "{}");
       fs::create_directories(folder / blocked / "in the way");
       EXPECT_THROW(write_all(results, History(), PassDrawings(), folder, 1.), UserError) << blocked;

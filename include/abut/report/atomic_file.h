@@ -12,7 +12,20 @@ namespace abut
    */
   void write_file(const std::string &path, const std::string &content);
 
-  /// Makes the folder and those above it where they are missing. Throws UserError where the path is a file or
-  /// nothing can be written there.
-  void make_output_directory(const std::string &path);
+  /**
+   * The folder of a run's results, for this run alone as long as the object lives. Construction makes it and
+   * those above it where they are missing. Throws UserError where the path is a file, nothing can be written
+   * there, or another run writes there at this moment (on file systems that can lock a folder).
+   */
+  class OutputDirectory
+  {
+  public:
+    explicit OutputDirectory(const std::string &path);
+    ~OutputDirectory();
+    OutputDirectory(const OutputDirectory &) = delete;
+    OutputDirectory &operator=(const OutputDirectory &) = delete;
+
+  private:
+    int descriptor_; ///< open as long as the folder is locked
+  };
 } // namespace abut

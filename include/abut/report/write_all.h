@@ -22,7 +22,7 @@ namespace abut
   void remove_old_results(const std::string &directory);
 
   /**
-   * Writes all files of a run into an existing folder (see `make_output_directory`), each whole or not at
+   * Writes all files of a run into an existing folder (see OutputDirectory), each whole or not at
    * all. An old summary.json goes first and the new one comes last: where it is, the rest is complete and
    * belongs to it. It counts the time of the writing to that of the results and to `total_seconds`. Throws
    * UserError.
