@@ -22,8 +22,11 @@ if(NOT status EQUAL 1 OR NOT message MATCHES "^abut: the program's library canno
   message(FATAL_ERROR "without its library the program has ended with ${status}: ${message}")
 endif()
 
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/program/consumer -B ${prefix}/consumer -G Ninja
-                        -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_PREFIX_PATH=${prefix}
-                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${prefix}/consumer OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${prefix}/consumer/consumer ${SCENE} COMMAND_ERROR_IS_FATAL ANY)
+# As doc/tutorial/README.md says.
+file(COPY ${SOURCE}/doc/tutorial/step-1 DESTINATION ${prefix})
+execute_process(COMMAND ${CMAKE_COMMAND} -S step-1 -B build -G Ninja -D CMAKE_PREFIX_PATH=${prefix}
+                        -D CMAKE_BUILD_TYPE=${BUILD_TYPE}
+                WORKING_DIRECTORY ${prefix} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build build WORKING_DIRECTORY ${prefix} OUTPUT_QUIET
+                COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND build/step-1 WORKING_DIRECTORY ${prefix} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
