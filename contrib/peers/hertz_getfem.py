@@ -8,11 +8,10 @@ As layers_getfem.py; the roller's grid is bent, and its far side carries the for
 import getfem as gf
 import numpy as np
 
-from getfem_contact import LEFT, SUPPORT, ContactModel, mark_sides, options_of_command_line, solve_in_stages
+from getfem_contact import BOTTOM, LEFT, TOP, ContactModel, mark_sides, options_of_command_line, solve_in_stages
 from grading import graded
 from hertz_reference import BLOCK, HALF_FORCE, RADIUS, ROLLER
 
-HELD = [(LEFT, 0), (SUPPORT, 1)]
 GAP = "(1-sqrt(1-X(1)*X(1)))"
 
 
@@ -24,9 +23,10 @@ def scene(degree, cells, edge):
     lower = gf.Mesh("cartesian", np.append(columns, [0.9, 1.0]), (1 - depth)[::-1].copy())
     x, y = upper.pts()
     upper.set_pts(np.array([x, y + (RADIUS - np.sqrt(RADIUS**2 - x**2)) * (2 - y)]))
-    mark_sides(upper, -1)
-    mark_sides(lower, 1)
-    return ContactModel(degree, upper, lower, (ROLLER, BLOCK), (HELD, HELD), GAP, approach=4e-4, force=HALF_FORCE)
+    mark_sides(upper)
+    mark_sides(lower)
+    bodies = [(upper, ROLLER, [(LEFT, 0), (TOP, 1)]), (lower, BLOCK, [(LEFT, 0), (BOTTOM, 1)])]
+    return ContactModel(degree, bodies, [(1, GAP)], approach=4e-4, force=HALF_FORCE)
 
 
 options = options_of_command_line(degree="3", cells="16", stages="2", output="")

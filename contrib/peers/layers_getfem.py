@@ -9,22 +9,23 @@ grids, find the end of contact that the last grid is graded towards; Newton begi
 """
 import getfem as gf
 
-from getfem_contact import LEFT, RIGHT, SUPPORT, ContactModel, mark_sides, options_of_command_line, solve_in_stages
+from getfem_contact import BOTTOM, LEFT, RIGHT, TOP, ContactModel, mark_sides, options_of_command_line, solve_in_stages
 from grading import graded
 
 LENGTH = 4.0
 STEEL = (2.1e5, 0.3)
 APPROACH, CURVATURE = 1.366e-3, 1e-3
-ROLLERS = [(LEFT, 0), (RIGHT, 0), (SUPPORT, 1)]
+ENDS = [(LEFT, 0), (RIGHT, 0)]
 
 
 def layers(degree, cells, edge):
     x, depth = graded(LENGTH, edge, cells), graded(1.0, 0.0, max(2, cells // 3))
     upper = gf.Mesh("cartesian", x, 1 + depth)
     lower = gf.Mesh("cartesian", x, (1 - depth)[::-1].copy())
-    mark_sides(upper, -1)
-    mark_sides(lower, 1)
-    return ContactModel(degree, upper, lower, (STEEL, STEEL), (ROLLERS, ROLLERS), "%g*X(1)*X(1)" % CURVATURE, APPROACH)
+    mark_sides(upper)
+    mark_sides(lower)
+    bodies = [(upper, STEEL, ENDS + [(TOP, 1)]), (lower, STEEL, ENDS + [(BOTTOM, 1)])]
+    return ContactModel(degree, bodies, [(1, "%g*X(1)*X(1)" % CURVATURE)], APPROACH)
 
 
 options = options_of_command_line(degree="2", cells="16", stages="2", output="")

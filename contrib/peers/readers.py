@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the programs wrote, as a solution of errors.py."""
+import base64
+import csv
+import json
+import os
+import re
+import zlib
+
 import numpy as np
 
-from errors import piecewise, pressure_of_forces, triangle_rule
+from errors import gauss, lagrange, piecewise, pressure_of_forces, triangle_rule
 
 
 def monomials(points, degree):
@@ -34,13 +41,13 @@ def freefem(path):
 
 
 def getfem(path):
-    """A file of layers_getfem.py or punch_getfem.py: quadrature points of the lower body, nodes of the multiplier."""
+    """A file of layers_getfem.py or punch_getfem.py: quadrature points of the body measured, nodes of the multiplier."""
     file = np.load(path)
     solution = {"unknowns": int(file["unknowns"]), "points": file["points"], "weights": file["weights"],
                 "stress": file["stress"]}
     if "p" in file:
         solution["pressure"] = piecewise(file["x"], file["p"], int(file["degree"]))
-        solution["force"] = -np.sum(file["weights"] * file["stress"][1])  # its height is 1: the mean over the sections
+        solution["force"] = float(file["force"])
     return solution
 
 
@@ -128,3 +135,47 @@ def calculix(job):
         solution["force"] = force
         solution["pressures"] = [pressure_from_stress(row, n, solution, grid), pressure_of_nodes(job, grid["columns"])]
     return solution
+
+
+def vtu_array(text):
+    """A compressed array of a VTU file: number of blocks, their size, that of the last, those compressed, the blocks."""
+    blocks = int(np.frombuffer(base64.b64decode(text[:8])[:4], "<u4")[0])
+    end = 4 * ((4 * (3 + blocks) + 2) // 3)
+    sizes = np.frombuffer(base64.b64decode(text[:end]), "<u4")[3:3 + blocks]
+    data, starts = base64.b64decode(text[end:]), np.cumsum([0, *sizes], dtype=int)
+    return b"".join(zlib.decompress(data[a:b]) for a, b in zip(starts[:-1], starts[1:]))
+
+
+def vtu(path):
+    """Points, connectivity and the fields by their names."""
+    kinds = {"Float32": "<f4", "Int32": "<i4", "UInt8": "u1"}
+    with open(path) as file:
+        arrays = re.findall(r"<DataArray([^>]*)>([^<]*)<", file.read())
+    result = {}
+    for head, text in arrays:
+        attributes = dict(re.findall(r'(\w+)="([^"]*)"', head))
+        data = np.frombuffer(vtu_array(text.strip()), kinds[attributes["type"]]).astype(float)
+        result[attributes.get("Name", "points")] = data.reshape(-1, int(attributes.get("NumberOfComponents", 1)))
+    return result
+
+
+def abut(folder, body, contact):
+    """The stress of a body of rectangles, whose file has them in a lattice of (degree + 1)^2 points of each cell, and the
+    pressure of a contact, the polyline through the places that its file names."""
+    fields = vtu(os.path.join(folder, "solution_%s.vtu" % body))
+    degree = int(fields["connectivity"][3, 0]) - 1
+    corners = fields["points"].reshape(-1, (degree + 1)**2, 3)[:, [0, -1], :2]
+    place, weight = gauss(0, 1, degree + 3)
+    shapes = np.kron(*2 * [lagrange(np.linspace(0, 1, degree + 1), place)])
+    share = np.stack([np.tile(place, len(place)), np.repeat(place, len(place))], axis=1)
+    size = corners[:, 1] - corners[:, 0]
+    points = corners[:, None, 0] + share * size[:, None]
+    weights = np.prod(size, axis=1)[:, None] * np.kron(weight, weight)
+    stress = [(fields["stress_" + name].reshape(-1, (degree + 1)**2) @ shapes).ravel() for name in ("xx", "yy", "xy")]
+    with open(os.path.join(folder, "contact_%s.csv" % contact), newline="") as file:
+        x, pressure = np.array(sorted((float(row["x"]), float(row["pressure"])) for row in csv.DictReader(file))).T
+    with open(os.path.join(folder, "summary.json")) as file:
+        summary = json.load(file)
+    return {"unknowns": sum(of_body["dofs"] for of_body in summary["bodies"]), "points": points.reshape(-1, 2),
+            "weights": weights.ravel(), "stress": np.array(stress), "pressure": piecewise(x, pressure, 1),
+            "force": next(pair["normal_force"] for pair in summary["contacts"] if pair["name"] == contact)}
