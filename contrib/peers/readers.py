@@ -91,7 +91,8 @@ def gauss_stresses(table, grid):
     """Stresses of a tensor grid in the Gauss points of the first of the two layers of points that CalculiX gives a plane
     element: cell columns and rows, numbers of the points in a row of a cell, and a solution."""
     x, y = grid["x"], grid["y"]
-    element, point = table[:, 0].astype(int) - 1, table[:, 1].astype(int) - 1
+    element, point = table[:, 0].astype(int), table[:, 1].astype(int) - 1
+    element -= element.min()
     n = 3 if point.max() == 26 else 2
     keep = point < n * n
     element, point, stress = element[keep], point[keep], table[keep, 2:]
@@ -119,8 +120,8 @@ def pressure_of_nodes(job, columns):
     """The contact pressure that CalculiX gives for the nodes, linear between them."""
     contact = calculix_contact(job + ".frd")
     contact = contact[np.abs(contact[:, 1] - 1) < 0.1]  # the slave side; the file has five digits
-    nodes = np.unique(np.round(contact[:, 0], 5))
-    values = np.array([contact[np.round(contact[:, 0], 5) == node, 2].max() for node in nodes])
+    nodes = np.unique(contact[:, 0])
+    values = np.array([contact[contact[:, 0] == node, 2].max() for node in nodes])
     return piecewise(columns, np.interp(columns, nodes, values, right=0), 1)
 
 
