@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-ABUT = os.path.join(ROOT, "build", "release", "abut")
+ABUT = os.path.abspath(os.environ.get("ABUT") or os.path.join(ROOT, "build", "release", "abut"))
 PYTHON = "/usr/bin/python3"  # Debian's, which sees GetFEM
 
 
@@ -36,7 +36,7 @@ def start_commands(folder):
 
 
 STEPS = [digit + power for power in ("e-2", "e-3", "e-4") for digit in ("5", "3", "2", "1.4", "1", "0.7")]
-TOLERANCES = {"layers": STEPS, "punch": STEPS[:-1], "hertz": STEPS[:-3]}
+TOLERANCES = {"layers": STEPS, "punch": STEPS[:-1], "hertz": STEPS[:-3], "floating": STEPS}
 
 
 def abut(scene, file):
@@ -44,7 +44,7 @@ def abut(scene, file):
     for level in TOLERANCES[scene]:
         command = [ABUT, script(file), "--quiet", "--output", "abut", "--set", "Tolerance=" + level]
         # the comparison with the exact solution is not timed, but where the scene's conditions need that solution
-        alone = [] if scene == "punch" else ["--set", "Reference/Exact solution=none"]
+        alone = ["--set", "Reference/Exact solution=none"] if scene in ("layers", "hertz") else []
         yield Case(scene, "abut", "tolerance", level, command + alone, command, quick=level in ("1e-2", "1e-3"))
 
 
@@ -74,19 +74,28 @@ def cells(numbers):
     return ["cells=%d" % number for number in numbers]
 
 
-def layers():
-    yield from abut("layers", "two-layers.prm")
-    yield from freefem("layers", "layers.edp", "P3 graded", 3, "-grade",
+def penalties(scene, file, cells_of, *options):
+    for stiffness, numbers in cells_of.items():
+        yield from calculix(scene, file, "CPE8R graded, penalty " + stiffness, cells(numbers), "element=CPE8R",
+                            "stiffness=" + stiffness, *options)
+
+
+def layers_of(scene, file, *options):
+    """Two or three; `file` is that of FreeFEM and GetFEM, without its ending, the options are CalculiX's."""
+    yield from freefem(scene, file + ".edp", "P3 graded", 3, "-grade",
                        [1.6, 0.8, 0.5, 0.4, 0.3, 0.24, 0.18, 0.14, 0.1, 0.07])
-    yield from freefem("layers", "layers.edp", "P2 graded", 2, "-grade", [1.6, 0.8, 0.4, 0.28, 0.2, 0.14, 0.1, 0.05])
-    yield from freefem("layers", "layers.edp", "P2 adaptmesh", 2, "-error", [0.3, 0.1, 0.05, 0.02, 0.01],
-                       ["-passes", "3"])
+    yield from freefem(scene, file + ".edp", "P2 graded", 2, "-grade", [1.6, 0.8, 0.4, 0.28, 0.2, 0.14, 0.1, 0.05])
+    yield from freefem(scene, file + ".edp", "P2 adaptmesh", 2, "-error", [0.3, 0.1, 0.05, 0.02, 0.01], ["-passes", "3"])
     for degree, levels in ((2, [8, 12, 16, 20, 24, 32, 48]), (3, [8, 10, 12, 14, 16, 20, 26, 32, 40]),
                            (4, [8, 10, 12, 14, 16, 20, 24])):
-        yield from getfem("layers", "layers_getfem.py", "Q", degree, cells(levels))
-    for stiffness, levels in (("1e8", [8, 12]), ("1e9", [8, 12, 16, 20, 24, 32, 48]), ("1e10", [24, 32, 48])):
-        yield from calculix("layers", "layers_calculix.py", "CPE8R graded, penalty " + stiffness, cells(levels),
-                            "element=CPE8R", "stiffness=" + stiffness)
+        yield from getfem(scene, file + "_getfem.py", "Q", degree, cells(levels))
+    yield from penalties(scene, "layers_calculix.py",
+                         {"1e8": [8, 12], "1e9": [8, 12, 16, 20, 24, 32, 48], "1e10": [24, 32, 48]}, *options)
+
+
+def layers():
+    yield from abut("layers", "two-layers.prm")
+    yield from layers_of("layers", "layers")
     yield from calculix("layers", "layers_calculix.py", "CPE4 graded, penalty 1e9", cells([16, 32]), "element=CPE4")
 
 
@@ -111,9 +120,16 @@ def hertz():
                            [1.5, 0.8, 0.5, 0.35, 0.25, 0.18, 0.12], ["-repeats", "4", "-passes", "3"])
     for degree, levels in ((2, [12, 16, 24, 32, 40, 48]), (3, [12, 16, 24, 32])):
         yield from getfem("hertz", "hertz_getfem.py", "Q", degree, cells(levels))
+    yield from penalties("hertz", "hertz_calculix.py",
+                         {"1e7": [8, 12], "1e8": [8, 12, 16, 24], "1e9": [12, 16, 24, 32, 48]})
 
 
-SCENES = {"layers": layers, "punch": punch, "hertz": hertz}
+def floating():
+    yield from abut("floating", "floating.prm")
+    yield from layers_of("floating", "floating", "layers=3")
+
+
+SCENES = {"layers": layers, "punch": punch, "hertz": hertz, "floating": floating}
 
 
 def of_scene(scene):

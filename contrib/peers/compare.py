@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs abut and its peers, writes results/peers/peers.csv, prints the tables, draws the figures. Called by run."""
+"""Runs abut and its peers, writes results/peers/peers.csv, the tables of doc/peers.md and its figures. Called by run."""
 import argparse
 import csv
 import json
@@ -13,10 +13,12 @@ import measure
 import readers
 import tables
 import punch_reference
+from floating_reference import FloatingReference
 from layers_reference import POISSON, LayersReference
 
 RESULTS = os.path.join(cases.ROOT, "results", "peers")
 FIGURES = os.path.join(cases.ROOT, "doc", "figures")
+PAGE = os.path.join(cases.ROOT, "doc", "peers.md")
 COLUMNS = ["scene", "program", "variant", "level", "unknowns", "seconds", "seconds_without_start", "cpu_seconds",
            "memory_mb", "error_stress", "error_pressure", "error_force"]
 
@@ -33,21 +35,26 @@ def abut_errors(scene, folder):
             "error_pressure": true.get("pressure"), "error_force": true.get("force")}
 
 
-READERS = {"FreeFEM": lambda folder: readers.freefem(os.path.join(folder, "freefem.txt")),
+READERS = {"abut": lambda folder: readers.abut(os.path.join(folder, "abut"), "middle", "below"),
+           "FreeFEM": lambda folder: readers.freefem(os.path.join(folder, "freefem.txt")),
            "GetFEM": lambda folder: readers.getfem(os.path.join(folder, "getfem.npz")),
            "CalculiX": lambda folder: readers.calculix(os.path.join(folder, "job"))}
 
 
+def pressure_error(solution, exact, half_width):
+    readings = solution.get("pressures") or [solution["pressure"]]  # the better reading of several
+    return min(errors.pressure_error(pressure, exact, half_width) for pressure in readings)
+
+
 class LayersErrors:
-    def __init__(self):
-        self.exact = LayersReference()
+    def __init__(self, reference):
+        self.exact = reference()
 
     def __call__(self, solution):
-        readings = solution.get("pressures") or [solution["pressure"]]  # the better reading of several
         exact = self.exact
         return {"unknowns": solution["unknowns"],
                 "error_stress": errors.stress_error(solution, exact.stress, POISSON),
-                "error_pressure": min(errors.pressure_error(p, exact.pressure, exact.half_width) for p in readings),
+                "error_pressure": pressure_error(solution, exact.pressure, exact.half_width),
                 "error_force": abs(solution["force"] / exact.force() - 1)}
 
 
@@ -64,12 +71,12 @@ class HertzErrors:
 
     def __call__(self, solution):
         return {"unknowns": solution["unknowns"], "error_stress": None,
-                "error_pressure": errors.pressure_error(solution["pressure"], hertz_reference.pressure,
-                                                        hertz_reference.HALF_WIDTH),
+                "error_pressure": pressure_error(solution, hertz_reference.pressure, hertz_reference.HALF_WIDTH),
                 "error_force": abs(solution["force"] / hertz_reference.HALF_FORCE - 1)}
 
 
-ERRORS = {"layers": LayersErrors, "punch": PunchErrors, "hertz": HertzErrors}
+ERRORS = {"layers": lambda: LayersErrors(LayersReference), "punch": PunchErrors, "hertz": HertzErrors,
+          "floating": lambda: LayersErrors(FloatingReference)}
 
 
 def run_case(case, folder, error_of, start):
@@ -82,7 +89,8 @@ def run_case(case, folder, error_of, start):
         os.replace(os.path.join(folder, "log.txt"), os.path.join(folder, "job.log"))
     else:
         measure.run(case.evaluated, folder, "evaluated.txt", own_threads)
-    found = abut_errors(case.scene, folder) if own_threads else error_of(READERS[case.program](folder))
+    by_itself = own_threads and case.scene != "floating"  # of this scene it does not know the exact solution
+    found = abut_errors(case.scene, folder) if by_itself else error_of(READERS[case.program](folder))
     return {"scene": case.scene, "program": case.program, "variant": case.variant, "level": case.level, **found, **cost,
             "seconds_without_start": max(cost["seconds"] - start[case.program]["seconds"], 1e-3)}
 
@@ -128,37 +136,52 @@ def write_csv(path, rows):
     os.replace(path + ".part", path)
 
 
-def kept_rows(scenes):
-    """Those of an earlier run that this one has not replaced."""
+def kept_rows():
+    """Those of an earlier run."""
     path = os.path.join(RESULTS, "peers.csv")
     if not os.path.exists(path):
         return []
+    words = ("scene", "program", "variant", "level")
     with open(path, newline="") as file:
-        return [row for row in csv.DictReader(file) if row["scene"] not in scenes]
+        return [{key: value if key in words else float(value) if value else None for key, value in row.items()}
+                for row in csv.DictReader(file)]
+
+
+def run_scenes(scenes, quick):
+    """Rows and failures; peers.csv has the rows and those of other scenes that it had."""
+    os.makedirs(RESULTS, exist_ok=True)
+    rows, failures = [], []
+    try:
+        start = start_costs()
+        for scene in scenes:
+            run_scene(scene, quick, start, rows, failures)
+    except measure.Failure as failure:
+        sys.exit("contrib/peers/run: %s" % failure)
+    write_csv(os.path.join(RESULTS, "peers.csv"), [row for row in kept_rows() if row["scene"] not in scenes] + rows)
+    return rows, failures
 
 
 def main():
     parser = argparse.ArgumentParser(prog="contrib/peers/run", description=__doc__)
     parser.add_argument("--scene", choices=sorted(cases.SCENES), help="only this one")
-    parser.add_argument("--quick", action="store_true", help="a few runs of each program, no figure")
+    only = parser.add_mutually_exclusive_group()
+    only.add_argument("--quick", action="store_true", help="a few runs of each program; the page stays as it is")
+    only.add_argument("--kept", action="store_true", help="no runs; the page from results/peers/peers.csv")
     options = parser.parse_args()
-    cases.check_programs()
-    os.makedirs(RESULTS, exist_ok=True)
-    rows, failures, scenes = [], [], [options.scene] if options.scene else list(cases.SCENES)
-    try:
-        start = start_costs()
-        for scene in scenes:
-            run_scene(scene, options.quick, start, rows, failures)
-    except measure.Failure as failure:
-        sys.exit("contrib/peers/run: %s" % failure)
-    rows = kept_rows(scenes) + rows
-    write_csv(os.path.join(RESULTS, "peers.csv"), rows)
+    scenes = [options.scene] if options.scene else list(cases.SCENES)
+    if options.kept:
+        rows, failures = kept_rows(), []
+    else:
+        cases.check_programs()
+        rows, failures = run_scenes(scenes, options.quick)
     for scene in scenes:
-        tables.print_scene(scene, [row for row in rows if row["scene"] == scene])
-    if not options.quick:
-        import figures
-        for scene in scenes:
-            figures.draw(scene, [row for row in rows if row["scene"] == scene], FIGURES)
+        of_scene = [row for row in rows if row["scene"] == scene]
+        lines = tables.of_scene(of_scene)
+        print("\n".join(["", "== %s ==" % scene, *lines]))
+        if of_scene and not options.quick:
+            import figures
+            figures.draw(scene, of_scene, FIGURES)
+            tables.write_to_page(scene, lines, PAGE)
     if failures:
         sys.exit("contrib/peers/run: %d runs failed, the first: %s" % (len(failures), failures[0]))
 

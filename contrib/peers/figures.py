@@ -11,7 +11,8 @@ import matplotlib.pyplot as plt
 
 from tables import PROGRAMS
 
-TITLES = {"layers": "Two layers with roller ends", "punch": "Flat punch", "hertz": "Hertz, a hundredth of the force"}
+TITLES = {"layers": "Two layers with roller ends", "punch": "Flat punch", "hertz": "Hertz, a hundredth of the force",
+          "floating": "A layer held by contact alone"}
 COLOURS = {"abut": "black", "FreeFEM": "tab:blue", "GetFEM": "tab:orange", "CalculiX": "tab:green"}
 
 

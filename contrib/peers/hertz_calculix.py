@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A roller on a block (contrib/peers/hertz.prm) for CalculiX: writes FILE.inp.
 
-    hertz_calculix.py FILE element=CPE8R cells=24 stiffness=1e8 contact=penalty overlap=2e-4
+    hertz_calculix.py FILE element=CPE8R cells=24 stiffness=1e8 contact=penalty smallest=0.01 overlap=2e-4
 
-The grids of hertz_getfem.py, the end of contact given. The roller's far side moves as one (equations) and carries the force;
+Grids like those of hertz_getfem.py, but cells at the given end of contact as small as `smallest` says, in half-widths. The roller's far side moves as one (equations) and carries the force;
 in the beginning the roller overlaps the block by `overlap`, for without contact nothing holds it. Contact: surface to surface
 with a linear penalty (MPa/cm).
 """
@@ -16,9 +16,9 @@ from grading import graded
 from hertz_reference import BLOCK, HALF_FORCE, HALF_WIDTH, RADIUS, ROLLER
 
 
-def make_stack(element, cells, overlap):
-    columns = graded(0.8, HALF_WIDTH, cells, power=0.9, smallest=0.1 * HALF_WIDTH, floor=0.3)
-    depth = graded(1.0, 0.0, max(3, cells // 2), power=0.9, smallest=0.2 * HALF_WIDTH, floor=0.3)
+def make_stack(element, cells, smallest, overlap):
+    columns = graded(0.8, HALF_WIDTH, cells, power=1.0, smallest=smallest * HALF_WIDTH, floor=0.3)
+    depth = graded(1.0, 0.0, max(3, cells // 2), power=1.0, smallest=2 * smallest * HALF_WIDTH, floor=0.3)
 
     def place(body, x, y):
         return x, y + body * ((RADIUS - np.sqrt(RADIUS**2 - x**2)) * (2 - y) - overlap)
@@ -39,9 +39,10 @@ def deck(stack, contact, stiffness):
 
 
 def main():
-    options = dict(element="CPE8R", cells="24", contact="penalty", stiffness="1e8", overlap="2e-4")
+    options = dict(element="CPE8R", cells="24", contact="penalty", stiffness="1e8", smallest="0.01", overlap="2e-4")
     options.update(word.split("=") for word in sys.argv[2:])
-    stack = make_stack(options["element"], int(options["cells"]), float(options["overlap"]))
+    numbers = (float(options[name]) for name in ("smallest", "overlap"))
+    stack = make_stack(options["element"], int(options["cells"]), *numbers)
     write(sys.argv[1], stack, 0, deck(stack, options["contact"], float(options["stiffness"])))
 
 
