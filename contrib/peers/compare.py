@@ -109,9 +109,10 @@ def percent(value):
     return "-" if value is None else "%.4f %%" % (100 * value)
 
 
-def run_scene(scene, quick, start, rows, failures):
+def run_scene(scene, quick, start, failures):
     error_of = ERRORS[scene]()
     chosen = [case for case in cases.of_scene(scene) if case.quick or not quick]
+    rows = []
     for number, case in enumerate(chosen, 1):
         folder = os.path.join(RESULTS, scene, "%s-%s-%s" % (case.program, case.variant, case.level))
         folder = folder.replace(" ", "_").replace(",", "")
@@ -125,6 +126,17 @@ def run_scene(scene, quick, start, rows, failures):
         measure.say("%s %d/%d  %-8s %-28s %-18s %8d unknowns %8.2f s  stress %s  pressure %s" % (
             scene, number, len(chosen), case.program, case.variant, case.level, row["unknowns"], row["seconds"],
             percent(row["error_stress"]), percent(row["error_pressure"])))
+    write_csv(os.path.join(RESULTS, "peers.csv"), [row for row in kept_rows() if row["scene"] != scene] + rows)
+    return rows
+
+
+def publish(scene, rows, on_page):
+    lines = tables.of_scene(rows)
+    print("\n".join(["", "== %s ==" % scene, *lines]), flush=True)
+    if on_page:
+        import figures
+        figures.draw(scene, rows, FIGURES)
+        tables.write_to_page("peers-%s.svg" % scene, lines, PAGE)
 
 
 def write_csv(path, rows):
@@ -147,20 +159,6 @@ def kept_rows():
                 for row in csv.DictReader(file)]
 
 
-def run_scenes(scenes, quick):
-    """Rows and failures; peers.csv has the rows and those of other scenes that it had."""
-    os.makedirs(RESULTS, exist_ok=True)
-    rows, failures = [], []
-    try:
-        start = start_costs()
-        for scene in scenes:
-            run_scene(scene, quick, start, rows, failures)
-    except measure.Failure as failure:
-        sys.exit("contrib/peers/run: %s" % failure)
-    write_csv(os.path.join(RESULTS, "peers.csv"), [row for row in kept_rows() if row["scene"] not in scenes] + rows)
-    return rows, failures
-
-
 def main():
     parser = argparse.ArgumentParser(prog="contrib/peers/run", description=__doc__)
     parser.add_argument("--scene", choices=sorted(cases.SCENES), help="only this one")
@@ -168,20 +166,19 @@ def main():
     only.add_argument("--quick", action="store_true", help="a few runs of each program; the page stays as it is")
     only.add_argument("--kept", action="store_true", help="no runs; the page from results/peers/peers.csv")
     options = parser.parse_args()
-    scenes = [options.scene] if options.scene else list(cases.SCENES)
+    scenes, failures = [options.scene] if options.scene else list(cases.SCENES), []
     if options.kept:
-        rows, failures = kept_rows(), []
-    else:
-        cases.check_programs()
-        rows, failures = run_scenes(scenes, options.quick)
-    for scene in scenes:
-        of_scene = [row for row in rows if row["scene"] == scene]
-        lines = tables.of_scene(of_scene)
-        print("\n".join(["", "== %s ==" % scene, *lines]))
-        if of_scene and not options.quick:
-            import figures
-            figures.draw(scene, of_scene, FIGURES)
-            tables.write_to_page(scene, lines, PAGE)
+        for scene in dict.fromkeys(row["scene"] for row in kept_rows() if row["scene"] in scenes):
+            publish(scene, [row for row in kept_rows() if row["scene"] == scene], on_page=True)
+        return
+    cases.check_programs()
+    os.makedirs(RESULTS, exist_ok=True)
+    try:
+        start = start_costs()
+        for scene in scenes:
+            publish(scene, run_scene(scene, options.quick, start, failures), on_page=not options.quick)
+    except measure.Failure as failure:
+        sys.exit("contrib/peers/run: %s" % failure)
     if failures:
         sys.exit("contrib/peers/run: %d runs failed, the first: %s" % (len(failures), failures[0]))
 

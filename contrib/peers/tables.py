@@ -67,14 +67,14 @@ def of_scene(rows):
     return lines
 
 
-def write_to_page(scene, lines, path):
-    """In place of all that stands between the scene's figure and the next heading."""
+def write_to_page(name, lines, path):
+    """In place of all that stands between the figure of this name and the next heading."""
     with open(path) as file:
         page = file.read()
     text = "".join("    %s\n" % line if line else "\n" for line in lines)
-    figure = r"(!\[[^\]]*\]\(figures/peers-%s\.svg\)\n\n)" % scene
+    figure = r"(!\[[^\]]*\]\(figures/%s\)\n\n)" % re.escape(name)
     page, found = re.subn(figure + r".*?(?=^#)", lambda match: match[1] + text, page, flags=re.DOTALL | re.MULTILINE)
     if found != 1:
-        raise SystemExit("contrib/peers/run: %s has no figure peers-%s.svg with a heading after it" % (path, scene))
+        raise SystemExit("%s has no figure %s with a heading after it" % (path, name))
     with open(path, "w") as file:
         file.write(page)
