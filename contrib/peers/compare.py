@@ -168,8 +168,11 @@ def main():
     options = parser.parse_args()
     scenes, failures = [options.scene] if options.scene else list(cases.SCENES), []
     if options.kept:
-        for scene in dict.fromkeys(row["scene"] for row in kept_rows() if row["scene"] in scenes):
-            publish(scene, [row for row in kept_rows() if row["scene"] == scene], on_page=True)
+        for scene in scenes:
+            rows = [row for row in kept_rows() if row["scene"] == scene]
+            if not rows:
+                sys.exit("contrib/peers/run: results/peers/peers.csv has no runs of %s" % scene)
+            publish(scene, rows, on_page=True)
         return
     cases.check_programs()
     os.makedirs(RESULTS, exist_ok=True)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A roller on a block (contrib/peers/hertz.prm) for CalculiX: writes FILE.inp.
 
-    hertz_calculix.py FILE element=CPE8R cells=24 stiffness=1e8 contact=penalty smallest=0.01 overlap=2e-4
+    hertz_calculix.py FILE element=CPE8R cells=24 stiffness=1e8 contact=penalty smallest=0.003 overlap=2e-4
 
 Grids like those of hertz_getfem.py, but cells at the given end of contact as small as `smallest` says, in half-widths. The roller's far side moves as one (equations) and carries the force;
 in the beginning the roller overlaps the block by `overlap`, for without contact nothing holds it. Contact: surface to surface
@@ -39,7 +39,7 @@ def deck(stack, contact, stiffness):
 
 
 def main():
-    options = dict(element="CPE8R", cells="24", contact="penalty", stiffness="1e8", smallest="0.01", overlap="2e-4")
+    options = dict(element="CPE8R", cells="24", contact="penalty", stiffness="1e8", smallest="0.003", overlap="2e-4")
     options.update(word.split("=") for word in sys.argv[2:])
     numbers = (float(options[name]) for name in ("smallest", "overlap"))
     stack = make_stack(options["element"], int(options["cells"]), *numbers)
