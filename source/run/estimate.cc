@@ -6,6 +6,8 @@
 #include <abut/run/goal_value.h>
 #include <abut/trace/applied_traction.h>
 
+#include <set>
+
 namespace abut
 {
   namespace
@@ -146,6 +148,19 @@ namespace abut
 
   namespace
   {
+    /// "fe-be", or "fe-be, kelly" where bodies differ.
+    std::string names_of(const Indicator &indicator, const std::vector<BodyResult> &bodies)
+    {
+      std::set<std::string> names;
+      for (const BodyResult &body : bodies)
+        if (!body.body->description().is_rigid)
+          names.insert(indicator.name_for(*body.body));
+      std::string all;
+      for (const std::string &name : names)
+        all += (all.empty() ? "" : ", ") + name;
+      return all;
+    }
+
     Estimation estimate_by(const Indicator &indicator, const Setup &setup, Solution &solution)
     {
       const InterfaceProblem &problem = setup.model.problem();
@@ -162,7 +177,7 @@ namespace abut
         solution.bodies[a].eta = estimation.eta[a];
         solution.bodies[a].better = estimation.errors[a].better;
       }
-      estimation.estimator = indicator.name();
+      estimation.estimator = names_of(indicator, solution.bodies);
       if (setup.scene.adaptation.certifies())
         for (const BodyResult &body : solution.bodies)
           if (estimation.why_uncertified.empty() && !body.body->description().is_rigid)

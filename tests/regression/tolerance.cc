@@ -129,6 +129,14 @@ TEST(Tolerance, TakesRigidOutlines)
   EXPECT_TRUE(answer.summary["error"]["total"].is_number());
 }
 
+// fe-be is not made for curved cells of degree 3: kelly stands in, and is named.
+TEST(Tolerance, NamesTheEstimatorThatHasRun)
+{
+  const auto last = [](const Answer &answer) { return answer.summary["pass_table"].back()["estimated_by"]; };
+  EXPECT_EQ(last(run_scene(scene)), "fe-be");
+  EXPECT_EQ(last(run_scene("shrink-fit", {"Tolerance=0.01", "Discretisation/Degree=3"})), "kelly");
+}
+
 // What is given stays, and the goal is reached all the same.
 TEST(Tolerance, WorksWithWhatIsGiven)
 {

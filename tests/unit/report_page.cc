@@ -7,6 +7,8 @@
 
 #include "../html_page.h"
 #include "report_testing.h"
+#include <algorithm>
+#include <sstream>
 
 namespace
 {
@@ -119,6 +121,27 @@ namespace
     DrawnScene scene = row_of_squares({1.});
     scene.bodies[0].cells[0] = {{0., 0.}, {.5, .004}, {1., 0.}, {1., .5}, {1., 1.}, {0., 1.}};
     EXPECT_EQ(path_data_of(scene, 1), std::vector<std::string>{"m0 10h10v-10h-10z"});
+  }
+
+  // Each point lies within a unit of the line between its neighbours, the top three units above the ends.
+  TEST(ReportPath, FinelySampledCurvesStayCurved)
+  {
+    DrawnScene scene = row_of_squares({1.});
+    scene.bodies[0].cells[0] = {{0., 0.}, {1., 0.}, {1., 1.}};
+    for (const double x : {.9, .8, .7, .6, .5, .4, .3, .2, .1})
+      scene.bodies[0].cells[0].push_back({x, 1. + 1.2 * x * (1. - x)});
+    scene.bodies[0].cells[0].push_back({0., 1.});
+    const std::string path = path_data_of(scene, 1).at(0);
+    EXPECT_NE(path.find("m0 10h10v-10"), std::string::npos) << path;
+    EXPECT_GT(std::count(path.begin(), path.end(), '-'), 3) << path; // more than the square's lines
+  }
+
+  TEST(ReportPath, BodiesLieOverOneAnotherWhole)
+  {
+    DrawnScene scene = row_of_squares({0., 1.});
+    scene.bodies.push_back(row_of_squares({0., 1.}).bodies[0]);
+    const std::vector<std::string> one = path_data_of(row_of_squares({0., 1.}), 1);
+    EXPECT_EQ(path_data_of(scene, 1), (std::vector<std::string>{one[0], one[1], one[0], one[1]}));
   }
 
   TEST(ReportPath, SmallCellsBecomeSquaresWithTheirMeanStress)

@@ -21,6 +21,10 @@ namespace abut
                                                     : jumps_.estimate(solution);
     }
     std::string name() const override { return boundary_elements_.name(); }
+    std::string name_for(const Body &body) const override
+    {
+      return why_uncertified(body).empty() ? boundary_elements_.name() : jumps_.name();
+    }
     std::string why_uncertified(const Body &body) const override;
 
   private:

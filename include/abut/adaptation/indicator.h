@@ -33,6 +33,9 @@ namespace abut
     virtual CellErrors estimate(const BodySolution &solution) const = 0;
     /// Its word in the parameter file, or that of the estimator that it takes where it can.
     virtual std::string name() const = 0;
+    /// That of what estimates the errors of a body: some indicators take others for what they are not made
+    /// for.
+    virtual std::string name_for(const Body &) const { return name(); }
     /// Throws UserError, beginning with the body's name, for a body that the indicator is not made for.
     virtual void check(const Body &) const {}
     /// Why the estimate of a body is not that of boundary elements, which bound the error: one sentence,

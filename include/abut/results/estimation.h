@@ -26,7 +26,7 @@ namespace abut
     /// Of `bound`; empty where the estimate is not against the contact law's own pressures.
     std::optional<ContactMismatch> mismatch;
 
-    std::string estimator; ///< its word in the parameter file
+    std::string estimator; ///< its word in the parameter file; of several, body by body, all
     /// Estimator = automatic: why this is not the estimate of boundary elements for all bodies; empty where
     /// it is, and with other estimators.
     std::string why_uncertified;

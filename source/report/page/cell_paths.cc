@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <ostream>
+#include <vector>
 
 namespace abut
 {
@@ -14,22 +15,45 @@ namespace abut
   {
     constexpr double edge_shade = .6;
 
-    /// Without points that lie within a unit of the line between their neighbours.
+    /// Of a point from the line through two.
+    double distance_from_line(const UnitPoint &point, const UnitPoint &a, const UnitPoint &b)
+    {
+      const UnitPoint line = b - a, to = point - a;
+      const double length = std::hypot(line.x, line.y);
+      if (length == 0.)
+        return std::hypot(to.x, to.y);
+      return std::abs(static_cast<double>(line.x) * to.y - static_cast<double>(line.y) * to.x) / length;
+    }
+
+    /// Marks those points between two that are needed for a line within a unit of all (Douglas and Peucker).
+    void mark_needed(const UnitPoints &all, const std::size_t first, const std::size_t last,
+                     std::vector<bool> &needed)
+    {
+      double largest = 1.;
+      std::size_t farthest = last;
+      for (std::size_t i = first + 1; i < last; ++i)
+        if (const double d = distance_from_line(all[i], all[first], all[last % all.size()]); d > largest)
+        {
+          largest = d;
+          farthest = i;
+        }
+      if (farthest == last)
+        return;
+      needed[farthest] = true;
+      mark_needed(all, first, farthest, needed);
+      mark_needed(all, farthest, last, needed);
+    }
+
+    /// An outline without the points that it does not need.
     UnitPoints corners_of(const UnitPoints &all)
     {
+      std::vector<bool> needed(all.size(), false);
+      needed[0] = true;
+      mark_needed(all, 0, all.size(), needed);
       UnitPoints corners;
-      const std::size_t n = all.size();
-      for (std::size_t i = 0; i < n; ++i)
-      {
-        const UnitPoint before = all[i] - all[(i + n - 1) % n], after = all[(i + 1) % n] - all[i];
-        const double across =
-            static_cast<double>(before.x) * after.y - static_cast<double>(before.y) * after.x;
-        const double along =
-            static_cast<double>(before.x) * after.x + static_cast<double>(before.y) * after.y;
-        const double length = std::hypot(before.x + after.x, before.y + after.y);
-        if (along <= 0. || std::abs(across) > length)
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (needed[i])
           corners.push_back(all[i]);
-      }
       return corners;
     }
 
@@ -140,9 +164,9 @@ namespace abut
   void write_cell_paths(std::ostream &out, const DrawnScene &scene, const ColourRange &range,
                         const PageFrame &frame, const int square)
   {
-    ColourPaths cells, squares;
     for (const DrawnBody &body : scene.bodies)
     {
+      ColourPaths cells, squares;
       SquareMeans means(square);
       for (std::size_t i = 0; i < body.von_mises.size(); ++i)
       {
@@ -157,11 +181,11 @@ namespace abut
       if (body.is_rigid)
         for (const Polyline &area : body.cells)
           out << "<path class=\"rigid\" d=\"" << short_path(area, frame, true) << "\"/>\n";
+      out << "<g class=\"cells\">\n";
+      squares.write(out, 1.);
+      cells.write(out, edge_shade);
+      out << "</g>\n";
     }
-    out << "<g class=\"cells\">\n";
-    squares.write(out, 1.);
-    cells.write(out, edge_shade);
-    out << "</g>\n";
   }
 
   std::size_t small_cells(const DrawnScene &scene, const PageFrame &frame, const int square)

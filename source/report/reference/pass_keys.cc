@@ -54,7 +54,8 @@ namespace abut
         {at + "goal", "number or null", "force / thickness, or stress", "as `goal.value`"},
         {at + "goal_error", "number or null", "relative", "as `goal.error`; null for the energy norm"},
         {at + "estimated_by", "text", "",
-         "the estimator: fe-be, kelly, ...; empty where nothing was estimated"},
+         "the estimator: fe-be, kelly, ...; several where bodies differ (fe-be, kelly); empty where "
+         "nothing was estimated"},
         {at + "error_stress", "number or null", "relative", "as `error.stress`"},
         {at + "true_error_energy", "number or null", "relative", "as `true_error.energy`"},
         {at + "true_error_stress", "number or null", "relative", "as `true_error.stress`"},
