@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/text.h>
 #include <abut/base/vocabulary.h>
+#include <abut/scene/allowed_values.h>
 #include <abut/scene/parameter_sections.h>
 
 #include <regex>
@@ -39,6 +40,19 @@ namespace abut
     {
       static const std::regex place("^Line <[0-9]+> of file <.*?>?: ");
       return std::regex_replace(one_line(exception), place, "");
+    }
+
+    /// deal.II's sentence on a value that an entry does not take, with its pattern in words.
+    std::string in_own_words(const std::string &sentence)
+    {
+      static const std::regex mismatch(
+          "The entry value (.*) for the entry named (.*) does not match the given pattern: (\\[.*\\])");
+      std::smatch found;
+      if (!std::regex_match(sentence, found, mismatch))
+        return sentence;
+      const std::string allowed = allowed_by(found[3]);
+      return found[2].str() + ": received `" + found[1].str() +
+             "`, allowed: " + (allowed.empty() ? found[3].str() : allowed);
     }
   } // namespace
 
@@ -83,15 +97,17 @@ namespace abut
     }
     catch (const dealii::ExceptionBase &exception)
     {
-      throw UserError(line.place + without_place(exception));
+      throw UserError(line.place + in_own_words(without_place(exception)));
     }
   }
 
   void ParameterSections::refuse_section(const ParameterLine &line) const
   {
-    throw UserError(line.place + "There is no such subsection to be entered: " + line.section() +
-                    " (sections of bodies and contacts need their names in the lists Bodies, Contacts)" +
-                    suggestion(line.section(), names_));
+    throw UserError(
+        line.place + "There is no such subsection to be entered: " + line.section() +
+        " (sections of bodies and contacts need their names in the lists Bodies, Contacts; with Contacts = "
+        "automatic there are no sections of contacts)" +
+        suggestion(line.section(), names_));
   }
 
   std::string ParameterSections::text() const

@@ -49,17 +49,17 @@ TEST(SceneErrors, bodies)
       {"Body upper/Shape=ring", "the shape ring needs inner radius, outer radius, above 0, the inner below"},
       {"Body upper/Shape=rectangle with curved top", "Body upper/Top: `` is not a formula: it is empty"},
       {"Body upper/Top=1+x", "only the shape rectangle with curved top has one"},
-      {"Body upper/Cells=0, 4", "The entry value 0, 4 for the entry named Cells does not match"},
+      {"Body upper/Cells=0, 4", "Cells: received `0, 4`, allowed: 2 of these, separated by commas: a whole number, at least 1"},
       {"Body upper/Grading=0, 1", "Body upper/Grading: received `0, 1`, allowed are numbers above 0"},
       {"Body upper/Scale=0", "Body upper/Scale: received `0`, allowed are numbers above 0"},
       {"Body upper/Young modulus=0", "Body upper/Young modulus: received `0`, allowed are numbers above 0"},
-      {"Body upper/Young modulus=nan", "The entry value nan for the entry named Young modulus"},
+      {"Body upper/Young modulus=nan", "Young modulus: received `nan`, allowed: a number"},
       {"Body upper/Young modulus=1e-400", "1e-400"},
       {"Body upper/Poisson ratio=0.5",
        "received `0.5`, allowed are numbers between -1 and 0.5, both excluded"},
       {"Body upper/Poisson ratio=-1", "Body upper/Poisson ratio: received `-1`"},
-      {"Body upper/Method=boundary elements", "[Selection finite elements ]"},
-      {"Body upper/Degree=4", "[Integer range 0...3 (inclusive)]"},
+      {"Body upper/Method=boundary elements", "Method: received `boundary elements`, allowed: finite elements"},
+      {"Body upper/Degree=4", "Degree: received `4`, allowed: a whole number from 0 to 3"},
       {"Body upper/Adapt=true",
        "Body upper/Adapt: received `true`, but Adaptation/Estimator is none; allowed with it is false"},
       {"Body upper/Body force=1", "Body upper/Body force: received `1`, allowed are nothing or two formulas"},
@@ -93,7 +93,7 @@ TEST(SceneErrors, contacts)
        "Contact interface/Master: received the body `third`, allowed are"},
       {"Contact interface/Master=lower:top", "slave and master are the same side `lower:top`"},
       {"Contact interface/Gap=r1*x", "Contact interface/Gap: `r1*x` is not a formula"},
-      {"Contact interface/Penalty=-1", "The entry value -1 for the entry named Penalty does not match"},
+      {"Contact interface/Penalty=-1", "Penalty: received `-1`, allowed: a number, at least 0"},
   });
 }
 
@@ -111,7 +111,7 @@ TEST(SceneErrors, the_other_sections)
 {
   expect_refused({
       {"Tolerance=1", "Tolerance: received `1`, allowed are 0 and numbers from 1e-10 to below 1"},
-      {"Discretisation/Degree=0", "[Integer range 1...3 (inclusive)]"},
+      {"Discretisation/Degree=0", "Degree: received `0`, allowed: a whole number from 1 to 3"},
       {"Decomposition/Scheme=jacobi",
        "Decomposition/Scheme: received `jacobi`, allowed are conjugate, neumann, newton"},
       {"Decomposition/Relaxation=fast", "received `fast`, allowed are automatic and numbers above 0"},
@@ -159,7 +159,7 @@ TEST(SceneErrors, overrides)
       {"Body third/Cells=1, 1",
        "override `Body third/Cells=1, 1`: There is no such subsection to be entered"},
       {"Body upper/Cells=many",
-       "override `Body upper/Cells=many`: The entry value many for the entry named Cells"},
+       "override `Body upper/Cells=many`: Cells: received `many`, allowed: 2 of these"},
   });
 }
 

@@ -83,8 +83,8 @@ TEST(ParameterLines, UnknownNamesAreRefusedWithTheNearest)
   };
   refused("subsection Body uper\nend\n",
           "line 18: There is no such subsection to be entered: Body uper (sections "
-          "of bodies and contacts need their names in the lists Bodies, "
-          "Contacts); did you mean Body upper?");
+          "of bodies and contacts need their names in the lists Bodies, Contacts; with Contacts = automatic "
+          "there are no sections of contacts); did you mean Body upper?");
   refused("subsection Body upper\nset Yuong modulus = 1\nend\n",
           "line 19: No entry with name <Yuong modulus> was declared in the current subsection; did you mean "
           "Young modulus?");

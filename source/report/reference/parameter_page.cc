@@ -2,6 +2,7 @@
 #include <abut/base/vocabulary.h>
 #include <abut/report/reference/markdown.h>
 #include <abut/report/reference/parameter_page.h>
+#include <abut/scene/allowed_values.h>
 #include <abut/scene/parameter_entries.h>
 #include <abut/scene/parameter_notes.h>
 #include <abut/scene/scene.h>

@@ -5,9 +5,6 @@
 
 namespace abut
 {
-  /// The values that a pattern of deal.II lets pass, in words; empty for `[Anything]`.
-  std::string allowed_by(const std::string &pattern);
-
   /// Whether the words of a parameter are registered (Vocabulary).
   bool has_vocabulary(const std::string &entry);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/report/reference/parameter_page.h>
+#include <abut/scene/allowed_values.h>
 
 #include <regex>
 
