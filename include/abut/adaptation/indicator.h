@@ -14,12 +14,13 @@ namespace abut
   /// Estimated errors of a body's stress sigma_F, by active cell index.
   struct CellErrors
   {
-    Eigen::VectorXd stress; ///< L2 norm over the cell, of xx, yy, zz and twice xy
-    Eigen::VectorXd energy; ///< energy norm over the cell
+    Eigen::VectorXd stress; ///< L2 norm over the cell, of xx, yy, zz and twice xy: sqrt(int e : e)
+    Eigen::VectorXd energy; ///< energy norm over the cell: sqrt(int e : C^-1 e)
     Eigen::VectorXd areas;
     double stress_norm = 0.; ///< L2 norm of the better stress (or of sigma_F) over the body
     double energy_norm = 0.; ///< and its energy norm
-    /// The better stress at SamplePoints::comparison; empty for kelly, which has none.
+    /// The better stress at SamplePoints::comparison, point by point as Body::visit_stress goes; empty for
+    /// kelly, which has none.
     std::vector<Stress> better;
     std::vector<Stress> better_at_corners; ///< and at Body::visit_corner_stress's; fe-be
     BoundaryCost boundary;                 ///< of fe-be
@@ -36,7 +37,8 @@ namespace abut
     /// That of what estimates the errors of a body: some indicators take others for what they are not made
     /// for.
     virtual std::string name_for(const Body &) const { return name(); }
-    /// Throws UserError, beginning with the body's name, for a body that the indicator is not made for.
+    /// Throws UserError, beginning with `description().section()` of the body, for one that the indicator is
+    /// not made for.
     virtual void check(const Body &) const {}
     /// Why the estimate of a body is not that of boundary elements, which bound the error: one sentence,
     /// without the full stop; empty where it is.

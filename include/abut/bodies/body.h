@@ -75,7 +75,7 @@ namespace abut
     // Its mesh.
     /// Changes whenever the mesh does, and with it the unknowns.
     virtual unsigned int mesh_version() const = 0;
-    virtual std::vector<CellInfo> cells() const = 0;
+    virtual std::vector<CellInfo> cells() const = 0; ///< by active cell index
     virtual MeshQuality mesh_quality() const = 0;
     /// Cells with a glued edge that more than two others lie opposite.
     virtual std::vector<unsigned int> crowded_cells() const = 0;

@@ -15,7 +15,8 @@ namespace abut
   struct InterfaceState
   {
     /// Pressures whose response, with that to the loads, is the displacement u^k. Empty where u^k is no
-    /// field: the paper's literal initial guess gives displacements on the contact nodes alone.
+    /// field: the paper's literal initial guess gives displacements on the contact nodes alone,
+    /// which answer no pressures, so that nothing bounds the error of u^k in the energy norm.
     std::optional<Eigen::VectorXd> traction;
     Eigen::VectorXd response; ///< see InterfaceProblem
   };

@@ -23,7 +23,7 @@ namespace abut
     /// `deformation`: all unknowns, less the rigid motion. It and the body must outlive the object.
     StressField(const FiniteElementBody &body, const Eigen::VectorXd &deformation);
 
-    /// At a point of a cell where grad u is known.
+    /// At a point of a cell where grad u is known. World frame: point, gradient and stress.
     Stress at(const Cell &cell, const Vector2 &point, const Eigen::Matrix2d &gradient) const;
     /// At a quadrature point; `values` have to show shape gradients and points, `dofs` are the cell's.
     Stress at(const Cell &cell, const dealii::FEValuesBase<2> &values, unsigned int point,
