@@ -2,8 +2,8 @@
 
 // @sect3{Include files}
 
-// The folders of `abut` are its floors. This program stays on the lower ones: a body and the side of it
-// that contact will later see, no contact yet. The last three headers draw the picture.
+// The folders of `abut` are its floors. But for the picture, which the last three headers draw, this program
+// stays on the lower ones: a body and the side of it that contact will later see, no contact yet.
 #include <abut/base/plane_geometry.h>
 #include <abut/bodies/body.h>
 #include <abut/report/deformed.h>
@@ -18,6 +18,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <string>
 
 namespace Step1
 {
@@ -53,7 +54,8 @@ namespace Step1
 
   // A BodyDescription is what the section `Body` of a parameter file would say: a shape, its cells, a
   // material, and what holds it. A quarter of the tube is enough, with rollers on the two cuts. There is no
-  // load: the pressure comes later, through the inner side, as a contact pressure would.
+  // load: the pressure comes later, through the inner side, as a contact pressure would. The second argument
+  // of `parse_conditions` would give values to names in the formulas, the third begins its error messages.
   BodyDescription tube(const unsigned int degree, const unsigned int n)
   {
     BodyDescription description;
@@ -209,7 +211,7 @@ namespace Step1
   // @sect3{The picture}
 
   // The writers of the reports take the record of a solution. Cells are drawn with their curved edges and
-  // filled by the mean of the von Mises stress.
+  // filled by the mean of the von Mises stress: the `true` of the one panel.
   void write_picture(const std::string &file)
   {
     const std::unique_ptr<Body> body = prepared_tube(2, 6);
@@ -223,15 +225,23 @@ namespace Step1
 
   // @sect3{All of it}
 
+  // What is wrong is said before the program ends with 1.
+  bool check(const std::string &what, const bool is_right)
+  {
+    if (!is_right)
+      std::cerr << "The check has failed: " << what << '\n';
+    return is_right;
+  }
+
   bool run()
   {
     const std::unique_ptr<Body> body = prepared_tube(2, 2);
     print_trace(body->contact_sides().front());
-    bool is_right = check_compliance(*body);
+    bool is_right = check("symmetry and eigenvalues of the compliance", check_compliance(*body));
 
     std::cout << "degree  cells unknowns  energy error    compliance   orders\n";
     for (const unsigned int degree : {1u, 2u, 3u})
-      is_right = check_convergence(degree) && is_right;
+      is_right = check("orders of degree " + std::to_string(degree), check_convergence(degree)) && is_right;
     write_picture("step-1.svg");
     return is_right;
   }
