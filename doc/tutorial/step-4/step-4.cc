@@ -21,6 +21,8 @@
 #include <iomanip>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 namespace Step4
 {
@@ -33,6 +35,8 @@ namespace Step4
   constexpr double length = 4., thickness = 1., gap_curvature = 1e-3, approach = 1.366e-3; // cm
   constexpr Material steel{2.1e5, .3};                                                     // MPa
 
+  // The last arguments of `parse_conditions` are the values of names in the formulas, and how its error
+  // messages begin.
   BodyDescription layer(const std::string &name, const double bottom, const unsigned int degree,
                         const unsigned int n, const std::string &face)
   {
@@ -116,7 +120,11 @@ namespace Step4
   // takes every part on the branch where it is now: those with $p_k - r g_k > 0$ are *active*. The gaps of
   // these are set to zero, and the pressures of the others. After such a step one of $p_k$ and $g_k$ is zero,
   // so that signs decide, and $r$ does not matter. A set that does not change any more belongs to the
-  // solution, and there is no iteration error left but round-off.
+  // solution, and there is no iteration error left but round-off. Nothing proves that sets cannot come back,
+  // so that their number has a limit. (The compliance is made as a matrix, `dense`, whatever it costs:
+  // 0 is the number of solves that it would be weighed against.)
+  constexpr unsigned int most_sets = 50;
+
   ContactSolution solve_by_active_set(const InterfaceProblem &problem)
   {
     const Index n = problem.n_pressures();
@@ -126,7 +134,7 @@ namespace Step4
 
     ContactSolution solution{Eigen::VectorXd::Zero(n), loads.response, {}};
     std::vector<bool> active(n, false);
-    while (true)
+    for (unsigned int step = 0; step < most_sets; ++step)
     {
       const Eigen::VectorXd gaps = problem.gaps(solution.response);
       std::vector<bool> next(n);
@@ -143,6 +151,7 @@ namespace Step4
       solution.response = loads.response + compliance->apply(solution.pressures);
       solution.set_sizes.push_back(set.size());
     }
+    throw std::runtime_error("The active set still changes after " + std::to_string(most_sets) + " steps");
   }
 
   // The three conditions, to round-off: pressures by the largest one, gaps by the approach.
@@ -155,7 +164,7 @@ namespace Step4
   }
 
   // The scheme `newton` of the library does the same, from a better first set, and with a way out where sets
-  // would come back.
+  // would come back. It begins with a guess of its own, and nobody observes its steps: the two `{}`.
   SchemeResult solve_by_library(const InterfaceProblem &problem)
   {
     const DecompositionParameters parameters; // their defaults: the scheme newton
@@ -223,6 +232,14 @@ namespace Step4
     return row;
   }
 
+  // What is wrong is said before the program ends with 1.
+  bool check(const std::string &what, const bool is_right)
+  {
+    if (!is_right)
+      std::cerr << "The check has failed: " << what << '\n';
+    return is_right;
+  }
+
   // Meshes of degree 1, halved from line to line. At the end of the contact the pressure is a square root, of
   // which polylines on segments of length h miss $\sqrt h$ over a length of h: the first order in L2. The
   // force does not feel it so much.
@@ -244,10 +261,12 @@ namespace Step4
         std::cout << std::setprecision(1) << std::log2(pressures.back() / *row.error.pressure);
       std::cout << std::setprecision(3) << std::setw(8) << 100. * *row.error.force << " %\n";
       pressures.push_back(*row.error.pressure);
-      is_right = is_right && row.law && row.library;
+      is_right = check("the law on " + row.cells + " cells", row.law) && is_right;
+      is_right = check("the library's pressures on " + row.cells + " cells", row.library) && is_right;
     }
     std::cout << '\n';
-    return is_right && pressures.back() < pressures.front() / 6.; // of halves three times
+    const bool converges = pressures.back() < pressures.front() / 6.; // of halves three times
+    return check("the convergence of the pressure", converges) && is_right;
   }
 
   // @sect3{A tolerance}
@@ -289,7 +308,8 @@ namespace Step4
   // The estimate has two parts. The *discretisation* is what boundary elements see: how far every body is
   // from its exact answer to the pressure (step-3). The *contact* is what the pressure itself misses:
   // pointwise the bodies still overlap or part a little within the parts, where only mean gaps are zero.
-  // `bound` puts both together, $B/2 + \sqrt{B^2/4 + \kappa^2}$.
+  // `bound` puts both together, $T = B/2 + \sqrt{B^2/4 + \kappa^2}$ by $\sqrt{N^2 - T^2}$ with the norm $N$
+  // of the better stress.
   Estimation ToleranceLoop::estimate_error()
   {
     for (BodyResult &body : bodies_)
@@ -336,11 +356,11 @@ namespace Step4
       {
         plots.push_back(
             {"Energy norm of the error", {"unknowns", true}, {"% of the solution", true}, {bounds, truth}});
-        return error <= bound;
+        return check("true error <= bound", error <= bound);
       }
       refine(estimation);
     }
-    return false;
+    return check("the tolerance within 20 passes", false);
   }
 
   bool run()
