@@ -11,10 +11,10 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    constexpr Index columns_at_once = 32;     // of right sides: bounds the memory of one solve
+    constexpr Index columns_at_once = 256;    // of forces and displacements on the contact sides
     constexpr double largest_matrix = 1.25e8; // entries, 1 GB
 
-    /// How much dearer a solve for one right side is than its share in a solve for 32 (measured by `abut
+    /// How much dearer a response to one force is than its share in a response to many (measured by `abut
     /// schemes` with either compliance).
     constexpr double price_of_one = 4.;
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
-#include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/body_force.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/glue.h>
@@ -9,8 +7,6 @@
 #include <abut/bodies/finite_elements/nodes.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 #include <abut/bodies/side_load.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <map>
@@ -189,6 +185,7 @@ namespace abut
     std::vector<Eigen::VectorXd> carried = space_->adapt(marks, fields);
     if (mesh_version() == before)
       return carried;
+    contact_response_.reset();
     cholesky_.reset();
     set_up();
     return carried;
@@ -202,50 +199,6 @@ namespace abut
   double FiniteElementBody::contact_depth(const std::size_t side) const
   {
     return abut::contact_depth(description(), space_->mesh(), contact_boundary(side));
-  }
-
-  PreparationTimes FiniteElementBody::prepare()
-  {
-    PreparationTimes times;
-    {
-      const Stopwatch watch(times.assemble);
-      stiffness_ = assemble_stiffness(*space_, CellMaterials(description()), projects_divergence());
-      ++counters_.assemblies;
-    }
-    {
-      const Stopwatch watch(times.factorise);
-      factorise();
-    }
-    return times;
-  }
-
-  void FiniteElementBody::factorise()
-  {
-    const auto &t = supports_.free_directions;
-    Eigen::SparseMatrix<double> reduced = t.transpose() * stiffness_ * t;
-    if (floating_.size() > 0)
-      reduced = floating_.stiffened(reduced, "Body " + name());
-    cholesky_ = std::make_unique<SparseCholesky>(reduced, "Body " + name());
-    ++counters_.factorisations;
-  }
-
-  Eigen::MatrixXd FiniteElementBody::solve(const Eigen::MatrixXd &reduced_loads) const
-  {
-    counters_.solves += static_cast<unsigned int>(reduced_loads.cols());
-    const bool floats = floating_.size() > 0;
-    Eigen::MatrixXd solution = cholesky_->solve(floats ? floating_.balanced(reduced_loads) : reduced_loads);
-    if (floats)
-      solution = floating_.balanced(solution);
-    if (!solution.allFinite())
-      throw ComputationError("Body " + name() +
-                             ": the solution is not finite; the loads or the stiffness are too large for the "
-                             "machine, change the units");
-    return solution;
-  }
-
-  Eigen::MatrixXd FiniteElementBody::respond(const Eigen::MatrixXd &forces) const
-  {
-    return trace_to_free_.transpose() * solve(trace_to_free_ * forces);
   }
 
   LoadResponse FiniteElementBody::respond_to_loads(const double rigid_displacement) const

@@ -3,6 +3,7 @@
 
 #include <abut/base/sparse_cholesky.h>
 #include <abut/bodies/body.h>
+#include <abut/bodies/finite_elements/contact_response.h>
 #include <abut/bodies/finite_elements/floating.h>
 #include <abut/bodies/finite_elements/rigid_motion.h>
 #include <abut/bodies/finite_elements/space.h>
@@ -116,6 +117,9 @@ namespace abut
     void collect_loads();
     void factorise();
     Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;
+    /// Displacements of the contact sides by solves for the whole body.
+    Eigen::MatrixXd respond_by_solves(const Eigen::MatrixXd &forces) const;
+    void refuse_infinite(const Eigen::MatrixXd &solution) const;
 
     std::unique_ptr<Space> space_;
     Sides sides_;
@@ -133,6 +137,7 @@ namespace abut
     Eigen::SparseMatrix<double> stiffness_;
     Eigen::VectorXd load_; // tractions and body force
     std::unique_ptr<SparseCholesky> cholesky_;
+    std::optional<ContactResponse> contact_response_; // where contact unknowns come last
     mutable BodyCounters counters_;
   };
 

@@ -25,6 +25,8 @@ namespace abut
     /// The motions as displacements along the free directions, a column each: translations by one,
     /// rotations that move the outermost node by one.
     const Eigen::MatrixXd &reduced() const { return reduced_; }
+    /// Q.
+    const Eigen::MatrixXd &orthonormal() const { return orthonormal_; }
     /// K~. Throws UserError, beginning with `name`, where a motion is not quite free (K R is not zero).
     Eigen::SparseMatrix<double> stiffened(const Eigen::SparseMatrix<double> &stiffness,
                                           const std::string &name) const;
