@@ -76,7 +76,7 @@ namespace abut
       constexpr int most_raises = 20;
       for (int i = 0; i < most_raises; ++i)
       {
-        if (Eigen::LLT<Eigen::MatrixXd>(block).info() == Eigen::Success)
+        if (DenseCholesky(block).is_positive_definite())
           return;
         block.diagonal() += own;
       }
@@ -142,7 +142,7 @@ namespace abut
       matrix.diagonal() += problem.weights()
                                .segment(block.first, n)
                                .cwiseProduct(problem.penalties().segment(block.first, n))(own);
-      blocks_.emplace_back(matrix);
+      blocks_.emplace_back(std::move(matrix));
     }
   }
 
@@ -150,7 +150,7 @@ namespace abut
   {
     Eigen::MatrixXd solutions(right_sides.rows(), right_sides.cols());
     Index first = 0;
-    for (const Eigen::LLT<Eigen::MatrixXd> &block : blocks_)
+    for (const DenseCholesky &block : blocks_)
     {
       solutions.middleRows(first, block.rows()) = block.solve(right_sides.middleRows(first, block.rows()));
       first += block.rows();

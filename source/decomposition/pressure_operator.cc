@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/dense_cholesky.h>
 #include <abut/base/sparse_cholesky.h>
 #include <abut/base/user_error.h>
 #include <abut/decomposition/model_compliance.h>
 
 #include <deal.II/base/exceptions.h>
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -89,8 +88,8 @@ namespace abut
         Eigen::MatrixXd matrix = compliance_.blocks().front().matrix(active, active);
         matrix.diagonal() += penalty_terms(problem_, active);
         const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
-        const Eigen::LLT<Eigen::MatrixXd> factor(scaling.asDiagonal() * matrix * scaling.asDiagonal());
-        if (factor.info() != Eigen::Success)
+        const DenseCholesky factor(scaling.asDiagonal() * matrix * scaling.asDiagonal());
+        if (!factor.is_positive_definite())
           refuse_dependent_multipliers();
         return scaling.asDiagonal() * factor.solve(scaling.asDiagonal() * right_sides);
       }

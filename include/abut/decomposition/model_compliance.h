@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/dense_cholesky.h>
 #include <abut/decomposition/pressure_operator.h>
 
-#include <Eigen/Cholesky>
+#include <vector>
 
 namespace abut
 {
@@ -39,7 +40,7 @@ namespace abut
       Eigen::MatrixXd solve(const Eigen::MatrixXd &right_sides) const;
 
     private:
-      std::vector<Eigen::LLT<Eigen::MatrixXd>> blocks_; ///< of the stretches with active multipliers
+      std::vector<DenseCholesky> blocks_; ///< of the stretches with active multipliers
     };
 
   private:

@@ -9,7 +9,7 @@
 #include <abut/bodies/finite_elements/projected_divergence.h>
 
 #include <algorithm>
-#include <utility>
+#include <vector>
 
 namespace abut
 {
@@ -40,8 +40,10 @@ namespace abut
     contact_response_.reset();
     cholesky_ = std::make_unique<SparseCholesky>(reduced, "Body " + name(), last);
     ++counters_.factorisations;
-    if (!last.empty())
-      contact_response_.emplace(*cholesky_, std::move(last), trace_to_free_, floating_);
+    if (last.empty())
+      return;
+    contact_response_.emplace(*cholesky_, last, trace_to_free_, floating_);
+    counters_.solves += static_cast<unsigned int>(floating_.size());
   }
 
   void FiniteElementBody::refuse_infinite(const Eigen::MatrixXd &solution) const

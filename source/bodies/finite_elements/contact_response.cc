@@ -39,7 +39,7 @@ namespace abut
     return n * n <= 100. * static_cast<double>(n_free);
   }
 
-  ContactResponse::ContactResponse(const SparseCholesky &factor, std::vector<int> unknowns,
+  ContactResponse::ContactResponse(const SparseCholesky &factor, const std::vector<int> &unknowns,
                                    const Eigen::SparseMatrix<double> &trace_to_free,
                                    const FloatingModes &floating)
       : factor_(factor), trace_to_contact_(selected_rows(trace_to_free, unknowns))

@@ -34,7 +34,7 @@ namespace abut
     static bool pays(std::size_t n_contact, Eigen::Index n_free);
 
     /// `factor` of A, or of K~, eliminates `unknowns` last and must outlive the response. `trace_to_free`: B.
-    ContactResponse(const SparseCholesky &factor, std::vector<int> unknowns,
+    ContactResponse(const SparseCholesky &factor, const std::vector<int> &unknowns,
                     const Eigen::SparseMatrix<double> &trace_to_free, const FloatingModes &floating);
 
     Eigen::MatrixXd respond(const Eigen::MatrixXd &forces) const;
