@@ -38,8 +38,8 @@ namespace
   }
 } // namespace
 
-// Loads alone, or displacements alone, drive these bodies: the square of the error is the difference in
-// energy.
+// Estimates may be a fifth too small (doc/tolerance.md). Loads alone, or displacements alone, drive these
+// bodies: the square of the error is the difference in energy.
 TEST(NarrowData, AreWithinATolerance)
 {
   for (const std::string &scene : {narrow_patch, narrow_waves, narrow_force})
@@ -50,7 +50,7 @@ TEST(NarrowData, AreWithinATolerance)
       SCOPED_TRACE(scene + std::to_string(tolerance));
       const Answer answer = run_text(scene, {"Tolerance=" + std::to_string(tolerance)});
       ASSERT_EQ(answer.status, 0) << answer.err;
-      EXPECT_LT(std::sqrt(std::abs(block_energy(answer) / exact - 1.)), tolerance);
+      EXPECT_LT(std::sqrt(std::abs(block_energy(answer) / exact - 1.)), tolerance / .8);
       EXPECT_EQ(warning_codes(answer).count("coarse-data"), 0u) << answer.err;
     }
   }

@@ -4,6 +4,7 @@
 
 #include <abut/report/reference/pages.h>
 #include <abut/report/reference/parameter_page.h>
+#include <abut/scene/allowed_values.h>
 #include <abut/scene/parameter_entries.h>
 #include <abut/scene/parameter_notes.h>
 #include <abut/scene/scene.h>
