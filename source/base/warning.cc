@@ -25,7 +25,8 @@ namespace abut
                                                  WarningCode::one_material,
                                                  WarningCode::facets,
                                                  WarningCode::coarse_curve,
-                                                 WarningCode::coarse_data};
+                                                 WarningCode::coarse_data,
+                                                 WarningCode::far_motion};
     return all;
   }
 
@@ -75,6 +76,8 @@ namespace abut
       return "coarse-curve";
     case WarningCode::coarse_data:
       return "coarse-data";
+    case WarningCode::far_motion:
+      return "far-motion";
     }
     return "unknown";
   }

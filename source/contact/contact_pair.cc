@@ -103,14 +103,29 @@ namespace abut
     return nearest;
   }
 
+  Eigen::VectorXd ContactPair::integrals(const std::size_t direction, const Eigen::VectorXd &cut_displacement,
+                                         const Eigen::VectorXd &other_displacement) const
+  {
+    AssertDimension(cut_displacement.size(), coupling_.cut[direction].cols());
+    AssertDimension(other_displacement.size(), coupling_.other[direction].cols());
+    return coupling_.cut[direction] * cut_displacement + coupling_.other[direction] * other_displacement;
+  }
+
+  Eigen::VectorXd ContactPair::means(const Eigen::VectorXd &integrals) const
+  {
+    return (weights().array() > 0.).select(integrals.cwiseQuotient(weights()), 0.);
+  }
+
+  Eigen::VectorXd ContactPair::mean_gaps(const Eigen::VectorXd &cut_displacement,
+                                         const Eigen::VectorXd &other_displacement) const
+  {
+    return means(gap_integrals() + integrals(normal_direction, cut_displacement, other_displacement));
+  }
+
   Eigen::VectorXd ContactPair::sliding(const Eigen::VectorXd &cut_displacement,
                                        const Eigen::VectorXd &other_displacement) const
   {
-    AssertDimension(cut_displacement.size(), coupling_.cut[tangential_direction].cols());
-    AssertDimension(other_displacement.size(), coupling_.other[tangential_direction].cols());
-    const Eigen::VectorXd integrals = coupling_.cut[tangential_direction] * cut_displacement +
-                                      coupling_.other[tangential_direction] * other_displacement;
-    return (weights().array() > 0.).select(integrals.cwiseQuotient(weights()), 0.);
+    return means(integrals(tangential_direction, cut_displacement, other_displacement));
   }
 
   std::optional<MissedContact> ContactPair::held_overlap(const Eigen::VectorXd &cut_displacement,

@@ -60,6 +60,18 @@ namespace abut
       return pressed;
     }
 
+    /// What the bodies' rigid motions make of the gap.
+    void add_rigid_motion(const ContactPair &pair, const std::vector<BodyResult> &bodies, PairResult &result)
+    {
+      const auto motion = [&](const ContactBody &side) -> Eigen::VectorXd {
+        const BodyResult &body = bodies[side.body];
+        return body.body->of_side(body.body->trace_of(body.displacement - body.deformation), side.side);
+      };
+      const Eigen::VectorXd of_cut = motion(pair.cut_side()), of_other = motion(pair.other_side());
+      result.rigid_gaps = pair.mean_gaps(of_cut, of_other);
+      result.rigid_sliding = pair.sliding(of_cut, of_other);
+    }
+
     /// What the sides' displacements make of the gap.
     void add_motion(const ContactPair &pair, const std::vector<bool> &pressed,
                     const std::vector<BodyResult> &bodies, PairResult &result)
@@ -112,6 +124,7 @@ namespace abut
       result.round_off = 1e-12 * iteration.traction.cwiseAbs().maxCoeff();
       add_loads(pair, result);
       add_motion(pair, add_parts(pair, result), bodies, result);
+      add_rigid_motion(pair, bodies, result);
       results.push_back(std::move(result));
     }
     return results;

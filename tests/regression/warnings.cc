@@ -57,6 +57,8 @@ namespace
                     stiff_slave = "tests/data/cases/stiff-slave.prm",
                     fine_slave = "tests/data/cases/fine-slave.prm",
                     corner_on_face = "tests/data/cases/corner-on-face-tilted.prm",
+                    falling_disc = "tests/data/cases/falling-disc.prm",
+                    disc_onto_block = "tests/data/cases/disc-onto-block.prm",
                     press_fit = "tests/data/cases/press-fit.prm", patch = "prm/patch-test.prm";
 
   /// Two layers, pressed uniformly: without a penalty the strain is half of the approach.
@@ -81,6 +83,12 @@ namespace
              "Body disc/Body force=0, -1", "Body disc/Rotation angle=" + degrees,
              "Body upper/Conditions=top: displacement: 0, 0", "Contact below/Master=disc:bottom",
              "Contact above/Master=disc:top"}};
+  }
+
+  /// A disc in a hole of radius 10.02 with the same centre: it falls by the difference of the radii.
+  SceneRun fallen(const std::string &radius)
+  {
+    return {falling_disc, {"Body disc/Size=" + radius}};
   }
 
   const std::string rollers = "left: normal displacement: 0; bottom: normal displacement: 0";
@@ -139,7 +147,10 @@ namespace
        {patch, {"Adaptation/Estimator=kelly", "Discretisation/Degree=2"}}},
       {"rough-estimator",
        {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=3"}},
-       {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=1"}}}};
+       {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=1"}}},
+      {"far-motion", fallen("8"), fallen("9.9")},
+      {"far-motion", fallen("9.5"), {disc_onto_block, {}}},
+      {"far-motion", fallen("9"), {falling_disc, {"Body disc/Size=9", "Body disc/Shift=0, -1.02"}}}};
 
   class Warned : public ::testing::TestWithParam<Neighbours>
   {};

@@ -30,7 +30,8 @@ namespace abut
     one_material,
     facets,
     coarse_curve,
-    coarse_data
+    coarse_data,
+    far_motion
   };
 
   /// All of them, in the order above.

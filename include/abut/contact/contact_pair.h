@@ -85,6 +85,11 @@ namespace abut
     NearestPoint nearest(const Eigen::VectorXd &cut_displacement,
                          const Eigen::VectorXd &other_displacement) const;
 
+    /// The gap under trace displacements of the two: the mean of every part, zero where it does not belong to
+    /// the pair.
+    Eigen::VectorXd mean_gaps(const Eigen::VectorXd &cut_displacement,
+                              const Eigen::VectorXd &other_displacement) const;
+
     /// By how much the points opposite each part move on along the cut side (counter-clockwise around its
     /// body) while its own points stay: the mean of every part, zero where it does not belong to the pair.
     /// As the sides run against each other, the part moves by as much along the other side.
@@ -98,6 +103,11 @@ namespace abut
 
   private:
     void check(const ContactDescription &description) const;
+    /// N_s u_s + N_m u_m along a direction.
+    Eigen::VectorXd integrals(std::size_t direction, const Eigen::VectorXd &cut_displacement,
+                              const Eigen::VectorXd &other_displacement) const;
+    /// The means of parts from integrals; zero where a part does not belong to the pair.
+    Eigen::VectorXd means(const Eigen::VectorXd &integrals) const;
 
     std::string name_;
     ContactBody slave_, master_;

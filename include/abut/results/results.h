@@ -59,6 +59,8 @@ namespace abut
     NearestPoint nearest;            ///< smallest gap at a point
     Eigen::VectorXd sliding;         ///< mean of every part, see ContactPair::sliding
     double max_sliding = 0.;         ///< largest size over the parts that press
+    /// The gaps and the sliding that the bodies' rigid motions alone make.
+    Eigen::VectorXd rigid_gaps, rigid_sliding;
     /// Overlap far from any part that presses: contact smaller than a part.
     std::vector<MissedContact> missed;
     /// (arc length on the cut side, pressure) of the exact solution that the scene names, along the pair;

@@ -179,6 +179,7 @@ namespace abut
     for (const PairResult &pair : solution.pairs)
     {
       append(warnings, pair_warnings(pair));
+      append(warnings, motion_warnings(pair));
       if (std::find(seen.begin(), seen.end(), pair.surface) != seen.end())
         continue;
       seen.push_back(pair.surface);

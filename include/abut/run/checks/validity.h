@@ -27,13 +27,16 @@ namespace abut
   /// Of one pair's displacements: the sides slide too far, or off each other; contact that was missed.
   Warnings pair_warnings(const PairResult &pair);
 
+  /// Of how far the bodies of a pair move without deforming.
+  Warnings motion_warnings(const PairResult &pair);
+
   /// Of the pressures of one surface (any of its pairs): too narrow for the mesh, or rough.
   Warnings pressure_warnings(const PairResult &pair);
 
   /// Of a scene none of whose pairs carries a force.
   Warnings touch_warnings(const std::vector<PairResult> &pairs);
 
-  /// The three above, of a solved scene.
+  /// All of the above but the input, of a solved scene.
   Warnings result_warnings(const Solution &solution);
 
   /// Parameters that the chosen scheme takes no notice of.
