@@ -26,7 +26,8 @@ namespace abut
                                                  WarningCode::facets,
                                                  WarningCode::coarse_curve,
                                                  WarningCode::coarse_data,
-                                                 WarningCode::far_motion};
+                                                 WarningCode::far_motion,
+                                                 WarningCode::default_material};
     return all;
   }
 
@@ -78,6 +79,8 @@ namespace abut
       return "coarse-data";
     case WarningCode::far_motion:
       return "far-motion";
+    case WarningCode::default_material:
+      return "default-material";
     }
     return "unknown";
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/text.h>
 #include <abut/scene/consistency.h>
+#include <abut/scene/default_materials.h>
 #include <abut/scene/parameter_file.h>
 #include <abut/scene/part_description.h>
 #include <abut/scene/preamble.h>
@@ -216,6 +217,7 @@ namespace abut
         choose_for_tolerance({scene.tolerance, preamble.bodies, parts}, lines, sections);
 
       parse_bodies(sections, preamble, parts, input.directory(), scene);
+      scene.default_materials = default_materials(scene.bodies, lines);
       parse_rest(sections, preamble, scene);
       check_consistency(scene);
       check_scheme(scene);

@@ -150,7 +150,10 @@ namespace
        {patch, {"Adaptation/Estimator=spr", "Discretisation/Degree=1"}}},
       {"far-motion", fallen("8"), fallen("9.9")},
       {"far-motion", fallen("9.5"), {disc_onto_block, {}}},
-      {"far-motion", fallen("9"), {falling_disc, {"Body disc/Size=9", "Body disc/Shift=0, -1.02"}}}};
+      {"far-motion", fallen("9"), {falling_disc, {"Body disc/Size=9", "Body disc/Shift=0, -1.02"}}},
+      {"default-material",
+       {"tests/data/cases/corner-on-face.prm", {"Body block/Young modulus=2.1e5"}},
+       {"tests/data/cases/corner-on-face.prm", {}}}};
 
   class Warned : public ::testing::TestWithParam<Neighbours>
   {};

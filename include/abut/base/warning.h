@@ -31,7 +31,8 @@ namespace abut
     facets,
     coarse_curve,
     coarse_data,
-    far_motion
+    far_motion,
+    default_material
   };
 
   /// All of them, in the order above.

@@ -34,7 +34,8 @@ namespace abut
     AdaptationParameters adaptation;
     ReferenceParameters reference;
     StudyParameters study;
-    std::vector<RepeatedParameter> repeated; ///< in the file
+    std::vector<RepeatedParameter> repeated;    ///< in the file
+    std::vector<std::string> default_materials; ///< see there
     std::string parameters; ///< all parameters used, as a file that can be run again from any folder: mesh
                             ///< files by their absolute names, the output directory as it was used
 

@@ -126,6 +126,14 @@ namespace abut
                                                    std::to_string(parameter.first_line) +
                                                    "; the last line counts, delete the others"};
     }
+    Warning default_material_warning(const std::string &section)
+    {
+      return {WarningCode::default_material,
+              section +
+                  ": its Young modulus is not given and is 1, while another one "
+                  "of the scene is given: set " +
+                  section + "/Young modulus"};
+    }
   } // namespace
 
   Warnings input_warnings(const Scene &scene, const Model &model)
@@ -133,6 +141,8 @@ namespace abut
     Warnings warnings;
     for (const RepeatedParameter &parameter : scene.repeated)
       warnings.push_back(repeated_warning(parameter));
+    for (const std::string &section : scene.default_materials)
+      warnings.push_back(default_material_warning(section));
     for (const auto &body : model.bodies())
       append(warnings, load_on_support_warnings(*body));
     for (const auto &body : model.bodies())
