@@ -27,7 +27,8 @@ namespace abut
                                                  WarningCode::coarse_curve,
                                                  WarningCode::coarse_data,
                                                  WarningCode::far_motion,
-                                                 WarningCode::default_material};
+                                                 WarningCode::default_material,
+                                                 WarningCode::point_support};
     return all;
   }
 
@@ -81,6 +82,8 @@ namespace abut
       return "far-motion";
     case WarningCode::default_material:
       return "default-material";
+    case WarningCode::point_support:
+      return "point-support";
     }
     return "unknown";
   }

@@ -153,7 +153,8 @@ namespace
       {"far-motion", fallen("9"), {falling_disc, {"Body disc/Size=9", "Body disc/Shift=0, -1.02"}}},
       {"default-material",
        {"tests/data/cases/corner-on-face.prm", {"Body block/Young modulus=2.1e5"}},
-       {"tests/data/cases/corner-on-face.prm", {}}}};
+       {"tests/data/cases/corner-on-face.prm", {}}},
+      {"point-support", {disc_onto_block, {"Body disc/Body force=1, -10"}}, {disc_onto_block, {}}}};
 
   class Warned : public ::testing::TestWithParam<Neighbours>
   {};

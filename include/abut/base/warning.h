@@ -32,7 +32,8 @@ namespace abut
     coarse_curve,
     coarse_data,
     far_motion,
-    default_material
+    default_material,
+    point_support
   };
 
   /// All of them, in the order above.

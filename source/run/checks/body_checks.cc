@@ -82,6 +82,46 @@ namespace abut
            << " % of its deformation (energy norm): use smaller cells there, or set Tolerance";
       return {{WarningCode::coarse_data, text.str()}};
     }
+    /// Of the largest force on a body: what results are read to.
+    constexpr double largest_point_force = .01;
+    /// Of the modulus times the displacement: forces of a body that nothing loads.
+    constexpr double force_round_off = 1e-10;
+
+    double largest_force(const BodyResult &result)
+    {
+      double largest = std::max(result.reactions.applied.norm(), result.reactions.contact.norm());
+      for (const auto &[side, force] : result.reactions.by_boundary)
+        largest = std::max(largest, force.norm());
+      return largest;
+    }
+
+    /// In the plane a single point of an elastic body holds nothing: the body gives way there without end.
+    Warnings point_warnings(const BodyResult &result)
+    {
+      const BodyDescription &body = result.body->description();
+      if (body.is_rigid)
+        return {};
+      const double largest = largest_force(result);
+      if (!(largest > force_round_off * body.young_modulus * result.displacement.cwiseAbs().maxCoeff()))
+        return {};
+      Warnings warnings;
+      for (const auto &[place, force] : result.reactions.by_boundary)
+      {
+        const bool is_point =
+            std::any_of(body.conditions.begin(), body.conditions.end(),
+                        [&, at = place](const Condition &c) { return c.point && c.boundary == at; });
+        if (!is_point || !(force.norm() > largest_point_force * largest))
+          continue;
+        std::ostringstream text;
+        text.precision(3);
+        text << "Body " << body.name << ": the condition at the point " << place << " carries a force of "
+             << force.norm() << ", " << 100. * force.norm() / largest
+             << " % of the largest on the body; in the plane a point holds nothing, the force falls with "
+                "every refinement: name a side, or let the contact hold the body";
+        warnings.push_back({WarningCode::point_support, text.str()});
+      }
+      return warnings;
+    }
   } // namespace
 
   Warnings body_warnings(const BodyResult &body)
@@ -89,6 +129,7 @@ namespace abut
     Warnings warnings = strain_warnings(body);
     append(warnings, singularity_warnings(body));
     append(warnings, coarse_data_warnings(body));
+    append(warnings, point_warnings(body));
     return warnings;
   }
 } // namespace abut
