@@ -28,7 +28,8 @@ namespace abut
                                                  WarningCode::coarse_data,
                                                  WarningCode::far_motion,
                                                  WarningCode::default_material,
-                                                 WarningCode::point_support};
+                                                 WarningCode::point_support,
+                                                 WarningCode::singular_pressure};
     return all;
   }
 
@@ -84,6 +85,8 @@ namespace abut
       return "default-material";
     case WarningCode::point_support:
       return "point-support";
+    case WarningCode::singular_pressure:
+      return "singular-pressure";
     }
     return "unknown";
   }

@@ -7,23 +7,29 @@
 
 namespace abut
 {
-  bool is_at_symmetry(const ContactSurface &surface, const std::size_t part, const std::size_t end)
+  const Piece &outermost_piece(const Partition &partition, const std::size_t part, const std::size_t end)
   {
-    AssertIndexRange(part, surface.partition().parts().size());
+    AssertIndexRange(part, partition.parts().size());
     AssertIndexRange(end, 2);
     const Piece *outermost = nullptr;
-    for (const Piece &piece : surface.partition().pieces())
+    for (const Piece &piece : partition.pieces())
       if (piece.part == part && (!outermost || (piece.arc > outermost->arc) == (end == 1)))
         outermost = &piece;
     Assert(outermost != nullptr, dealii::ExcMessage("a part has pieces"));
+    return *outermost;
+  }
+
+  bool is_at_symmetry(const ContactSurface &surface, const std::size_t part, const std::size_t end)
+  {
+    const Piece &outermost = outermost_piece(surface.partition(), part, end);
     const auto pair = std::find_if(surface.pairs().begin(), surface.pairs().end(),
-                                   [&](const ContactPair &p) { return p.link() == outermost->link; });
+                                   [&](const ContactPair &p) { return p.link() == outermost.link; });
     const auto ends_at_symmetry = [](const ContactBody &side, const std::size_t segment,
                                      const std::size_t e) {
       return side.is_rigid() || side.trace->is_plane_of_symmetry(side.trace->segments()[segment], e);
     };
-    return ends_at_symmetry(pair->cut_side(), outermost->cut_segment, end) &&
-           ends_at_symmetry(pair->other_side(), outermost->other_segment, 1 - end); // it runs back
+    return ends_at_symmetry(pair->cut_side(), outermost.cut_segment, end) &&
+           ends_at_symmetry(pair->other_side(), outermost.other_segment, 1 - end); // it runs back
   }
 
   namespace

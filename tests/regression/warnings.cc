@@ -154,7 +154,10 @@ namespace
       {"default-material",
        {"tests/data/cases/corner-on-face.prm", {"Body block/Young modulus=2.1e5"}},
        {"tests/data/cases/corner-on-face.prm", {}}},
-      {"point-support", {disc_onto_block, {"Body disc/Body force=1, -10"}}, {disc_onto_block, {}}}};
+      {"point-support", {disc_onto_block, {"Body disc/Body force=1, -10"}}, {disc_onto_block, {}}},
+      {"singular-pressure",
+       {never_touches, {"Body steel/Shift=0, 20"}},
+       {never_touches, {"Body steel/Shift=0, 20", "Body nylon/Size=10, 20", "Body nylon/Cells=15, 30"}}}};
 
   class Warned : public ::testing::TestWithParam<Neighbours>
   {};

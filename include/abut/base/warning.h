@@ -33,7 +33,8 @@ namespace abut
     coarse_data,
     far_motion,
     default_material,
-    point_support
+    point_support,
+    singular_pressure
   };
 
   /// All of them, in the order above.

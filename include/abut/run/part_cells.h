@@ -12,6 +12,9 @@ namespace abut
     double longer = 0.;
   };
 
+  /// The outermost piece of a part at its start (end = 0) or end (1).
+  const Piece &outermost_piece(const Partition &partition, std::size_t part, std::size_t end);
+
   /// Whether both sides have a plane of symmetry (a rigid one may have it anywhere) at the start (end = 0) or
   /// the end (1) of a part.
   bool is_at_symmetry(const ContactSurface &surface, std::size_t part, std::size_t end);

@@ -180,6 +180,7 @@ namespace abut
     {
       append(warnings, pair_warnings(pair));
       append(warnings, motion_warnings(pair));
+      append(warnings, edge_warnings(pair, solution.bodies));
       if (std::find(seen.begin(), seen.end(), pair.surface) != seen.end())
         continue;
       seen.push_back(pair.surface);

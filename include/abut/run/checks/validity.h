@@ -30,6 +30,9 @@ namespace abut
   /// Of how far the bodies of a pair move without deforming.
   Warnings motion_warnings(const PairResult &pair);
 
+  /// Of the pressures of one pair: the largest stands where an edge presses in.
+  Warnings edge_warnings(const PairResult &pair, const std::vector<BodyResult> &bodies);
+
   /// Of the pressures of one surface (any of its pairs): too narrow for the mesh, or rough.
   Warnings pressure_warnings(const PairResult &pair);
 
