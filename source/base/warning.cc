@@ -29,7 +29,8 @@ namespace abut
                                                  WarningCode::far_motion,
                                                  WarningCode::default_material,
                                                  WarningCode::point_support,
-                                                 WarningCode::singular_pressure};
+                                                 WarningCode::singular_pressure,
+                                                 WarningCode::lost_volume};
     return all;
   }
 
@@ -87,6 +88,8 @@ namespace abut
       return "point-support";
     case WarningCode::singular_pressure:
       return "singular-pressure";
+    case WarningCode::lost_volume:
+      return "lost-volume";
     }
     return "unknown";
   }

@@ -157,7 +157,11 @@ namespace
       {"point-support", {disc_onto_block, {"Body disc/Body force=1, -10"}}, {disc_onto_block, {}}},
       {"singular-pressure",
        {never_touches, {"Body steel/Shift=0, 20"}},
-       {never_touches, {"Body steel/Shift=0, 20", "Body nylon/Size=10, 20", "Body nylon/Cells=15, 30"}}}};
+       {never_touches, {"Body steel/Shift=0, 20", "Body nylon/Size=10, 20", "Body nylon/Cells=15, 30"}}},
+      {"lost-volume", {disc_onto_block, {"Body disc/Cells=4, 4"}}, {disc_onto_block, {}}},
+      {"lost-volume",
+       {disc_onto_block, {"Body disc/Cells=4, 4"}},
+       {disc_onto_block, {"Body disc/Cells=4, 4", "Body disc/Degree=2"}}}};
 
   class Warned : public ::testing::TestWithParam<Neighbours>
   {};

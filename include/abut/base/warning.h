@@ -34,7 +34,8 @@ namespace abut
     far_motion,
     default_material,
     point_support,
-    singular_pressure
+    singular_pressure,
+    lost_volume
   };
 
   /// All of them, in the order above.

@@ -125,6 +125,8 @@ namespace abut
     /// Squared energy norm, estimated, of what edges of cells change that are not the curves they stand for:
     /// their stresses act along other normals. Zero for straight sides; NaN where the curve is not known.
     virtual double geometry_energy(const Eigen::VectorXd &deformation) const = 0;
+    /// The share of the area within the curved sides that the cells leave out; negative where they go beyond.
+    virtual double lost_area() const = 0;
 
     // Its fields.
     /// The values of a field on the contact sides, a trace vector.

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
 #include <limits>
@@ -38,6 +39,16 @@ namespace abut
              material.young_modulus;
     }
   } // namespace
+
+  double FiniteElementBody::lost_area() const
+  {
+    if (!space_->mesh().curved)
+      return 0.;
+    const bool triangles = space_->mesh().cell_type == CellType::triangles;
+    const auto curve = space_->mesh().mapping(triangles ? 2 : space_->degree() + 2);
+    const double exact = dealii::GridTools::volume(space_->mesh().triangulation, *curve);
+    return 1. - dealii::GridTools::volume(space_->mesh().triangulation, space_->mapping()) / exact;
+  }
 
   double FiniteElementBody::geometry_energy(const Eigen::VectorXd &deformation) const
   {

@@ -82,6 +82,23 @@ namespace abut
            << " % of its deformation (energy norm): use smaller cells there, or set Tolerance";
       return {{WarningCode::coarse_data, text.str()}};
     }
+    /// Of the body force: what results are read to.
+    constexpr double largest_lost_volume = .005;
+
+    Warnings volume_warnings(const Body &body)
+    {
+      const double lost = body.description().body_force.empty() ? 0. : body.lost_area();
+      if (!(std::abs(lost) > largest_lost_volume))
+        return {};
+      std::ostringstream text;
+      text.precision(3);
+      text << "Body " << body.name() << ": its cells are straight and have " << 100. * std::abs(lost) << " % "
+           << (lost > 0. ? "less" : "more")
+           << " area than its curved sides enclose, and its Body force adds up to as much "
+           << (lost > 0. ? "less" : "more") << ": use smaller cells there, or degree 2";
+      return {{WarningCode::lost_volume, text.str()}};
+    }
+
     /// Of the largest force on a body: what results are read to.
     constexpr double largest_point_force = .01;
     /// Of the modulus times the displacement: forces of a body that nothing loads.
@@ -130,6 +147,7 @@ namespace abut
     append(warnings, singularity_warnings(body));
     append(warnings, coarse_data_warnings(body));
     append(warnings, point_warnings(body));
+    append(warnings, volume_warnings(*body.body));
     return warnings;
   }
 } // namespace abut

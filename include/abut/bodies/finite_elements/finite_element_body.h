@@ -69,6 +69,7 @@ namespace abut
                             const Eigen::VectorXd &contact_forces) const override;
     Eigen::VectorXd data_oscillation() const override;
     double geometry_energy(const Eigen::VectorXd &deformation) const override;
+    double lost_area() const override;
 
     Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const override
     {

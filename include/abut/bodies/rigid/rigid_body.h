@@ -70,6 +70,7 @@ namespace abut
     double round_off_energy(const Eigen::VectorXd &, const Eigen::VectorXd &) const override { return 0.; }
     Eigen::VectorXd data_oscillation() const override { return {}; }
     double geometry_energy(const Eigen::VectorXd &) const override { return 0.; }
+    double lost_area() const override { return 0.; }
 
     std::vector<unsigned int> cells_at(const Vector2 &) const override { return {}; }
     std::optional<Stress> stress_at(const Eigen::VectorXd &, const Vector2 &) const override { return {}; }
