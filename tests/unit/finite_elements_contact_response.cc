@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "finite_elements_testing.h"
+#include <algorithm>
 #include <numeric>
 #include <random>
+#include <tuple>
+#include <utility>
 
 using namespace abut;
 

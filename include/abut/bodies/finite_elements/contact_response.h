@@ -29,7 +29,8 @@ namespace abut
     /**
      * Whether the contact unknowns should come last: n_contact^2 <= 100 n_free. A response then reads
      * n_contact^2 numbers instead of twice the factor's (some 14 n log2 n), and the dense columns cost
-     * n_contact^3 / 3 more: measured on layers the first 20 responses or fewer make up for that.
+     * n_contact^3 / 3 operations more: on layers the first 10 to 50 responses make up for that
+     * (contrib/benchmark-compliance), fewer than an interface problem takes.
      */
     static bool pays(std::size_t n_contact, Eigen::Index n_free);
 
