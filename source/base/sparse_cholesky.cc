@@ -74,7 +74,7 @@ namespace abut
     std::vector<int> order(cholmod_sparse &matrix, const std::vector<int> &last);
     void find_last(const std::vector<int> &last);
 
-    mutable cholmod_common settings;
+    cholmod_common settings;
     cholmod_factor *factor = nullptr;
     std::unique_ptr<LastSupernodes> last;
     std::vector<int> places; ///< of the unknowns `last` in the last supernodes
