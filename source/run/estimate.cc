@@ -6,6 +6,7 @@
 #include <abut/run/goal_value.h>
 #include <abut/trace/applied_traction.h>
 
+#include <cmath>
 #include <set>
 
 namespace abut
@@ -63,15 +64,15 @@ namespace abut
 
   namespace
   {
-    /// What no indicator sees. The stress of an energy norm is that of shear.
-    void add_oscillation(const Body &body, CellErrors &errors)
+    /// Of the two the larger one in every cell: where data are smooth an indicator sees the same error. The
+    /// stress of an energy norm is that of shear.
+    void include_oscillation(const Body &body, CellErrors &errors)
     {
-      const Eigen::ArrayXd oscillation = body.data_oscillation().array();
-      if (!(oscillation > 0.).any())
+      const Eigen::VectorXd oscillation = body.data_oscillation();
+      if (!(oscillation.array() > 0.).any())
         return;
-      errors.energy = (errors.energy.array().square() + oscillation.square()).sqrt();
-      errors.stress =
-          (errors.stress.array().square() + 2. * body.material().mu() * oscillation.square()).sqrt();
+      errors.energy = errors.energy.cwiseMax(oscillation);
+      errors.stress = errors.stress.cwiseMax(std::sqrt(2. * body.material().mu()) * oscillation);
     }
   } // namespace
 
@@ -88,7 +89,7 @@ namespace abut
         return; // no cells, no errors
       estimation.errors[a] =
           indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].estimate_forces});
-      add_oscillation(*bodies[a].body, estimation.errors[a]);
+      include_oscillation(*bodies[a].body, estimation.errors[a]);
       estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
     });
     return estimation;

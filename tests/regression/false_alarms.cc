@@ -118,7 +118,8 @@ subsection Contact aside
 end
 )")});
     ASSERT_EQ(answer.status, 0) << answer.err;
-    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{}) << answer.err;
+    // The block's edges press into the wider floor.
+    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{"singular-pressure"}) << answer.err;
     EXPECT_NEAR(contact(answer, "below")["normal_force"].get<double>(), 10., 1e-9);
   }
 } // namespace
