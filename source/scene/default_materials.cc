@@ -7,7 +7,7 @@ namespace abut
 {
   namespace
   {
-    /// The bodies, or their parts, that have a material of their own.
+    /// The bodies, or their parts, that have a material of their own; Regions may leave nothing of a body's.
     std::vector<std::string> sections_with_material(const std::vector<BodyDescription> &bodies)
     {
       std::vector<std::string> sections;
@@ -15,7 +15,7 @@ namespace abut
       {
         for (const BodyDescription &part : body.parts)
           sections.push_back(part.section());
-        if (body.parts.empty() && !body.is_rigid)
+        if (body.parts.empty() && body.regions.empty() && !body.is_rigid)
           sections.push_back(body.section());
       }
       return sections;

@@ -62,6 +62,7 @@ namespace abut
                         "the combined algorithm");
       const LayersReference reference(scene, Layer::Ends::infinite, Layer::Base::sliding);
       const PressedLayers &exact = reference.solution();
+      const OutputDirectory directory(scene.output_directory);
       const PaperRuns runs = run_all(scene, variants);
       text =
           write_run_table(scene, runs, exact.half_width()) + '\n' + write_paper_figures(scene, runs, exact);
@@ -76,6 +77,7 @@ namespace abut
         throw UserError("Reference/Exact solution: received `" + scene.reference.solution +
                         "`, allowed for `abut reproduce` without Adaptation/Combined are solutions with a "
                         "stress: the figures show true errors");
+      const OutputDirectory directory(scene.output_directory);
       PaperRuns runs = run_all(scene, variants);
       const bool converged = runs.base.converged;
       runs.variants.insert(runs.variants.begin(), std::move(runs.base));
@@ -89,7 +91,6 @@ namespace abut
   {
     const Scene scene = Scene::read(file, overrides);
     const std::vector<Scene> variants = read_variants_of(scene, overrides); // all, before the first one runs
-    const OutputDirectory directory(scene.output_directory);
     std::string text;
     const bool converged = scene.adaptation.combined ? reproduce_example(scene, variants, text)
                                                      : reproduce_errors(scene, variants, text);
