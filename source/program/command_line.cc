@@ -119,8 +119,7 @@ namespace abut
         if (told_by_mpirun({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}) == 0)
           err << "abut: received " << n
               << " processes from mpirun, a run is one process; start it without mpirun (it uses the cores "
-                 "of "
-                 "this machine by threads)\n";
+                 "of this machine by threads)\n";
         return ExitStatus::wrong_input;
       }
       if (arguments.print_parameters)

@@ -5,7 +5,7 @@
 
 namespace abut
 {
-  /// Cholesky factor of a symmetric matrix by LAPACK, which takes a third of the time of Eigen's where the
+  /// Cholesky factor of a symmetric matrix by LAPACK, which takes about half the time of Eigen's where the
   /// matrix is large.
   class DenseCholesky
   {
