@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
+#include <abut/decomposition/conjugate_gradients.h>
 #include <abut/decomposition/model_compliance.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <utility>
 
 namespace abut
 {
@@ -15,95 +14,44 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    const double pi = std::acos(-1.);
-
-    /// The kernel of one body.
-    struct ModelKernel
+    std::vector<PressedBody> pressed_bodies(const ContactSurface &surface)
     {
-      double factor, depth;
-
-      double at(const double distance) const { return factor * std::log1p(std::pow(depth / distance, 2)); }
-      /// Mean over the pairs of points of an interval.
-      double own(const double width) const
-      {
-        return factor * std::max(3. + 2. * std::log(depth / width), 1.);
-      }
-    };
-
-    /// What the parts of a surface press on one body.
-    struct PressedBody
-    {
-      ModelKernel kernel;
-      Eigen::VectorXd weights; ///< by parts
-    };
-
-    std::map<std::size_t, PressedBody> pressed_bodies(const ContactSurface &surface)
-    {
-      std::map<std::size_t, PressedBody> bodies;
+      std::map<std::size_t, PressedBody> by_position;
       for (const ContactPair &pair : surface.pairs())
         for (const ContactBody &side : {pair.slave(), pair.master()})
-          bodies
-              .try_emplace(side.body, PressedBody{{1. / (pi * side.young_modulus), .5 * side.depth},
+          by_position
+              .try_emplace(side.body, PressedBody{side.young_modulus, .5 * side.depth,
                                                   Eigen::VectorXd::Zero(surface.n_parts())})
               .first->second.weights += pair.weights();
+      std::vector<PressedBody> bodies;
+      for (auto &[position, body] : by_position)
+        bodies.push_back(std::move(body));
       return bodies;
-    }
-
-    /// Adds what one body yields to the parts of a stretch.
-    void add_body(const PressedBody &body, const std::vector<Part> &parts, const Stretch &stretch,
-                  Eigen::MatrixXd &block)
-    {
-      const Eigen::VectorXd weights = body.weights.segment(static_cast<Index>(stretch.first), block.rows());
-      const auto middle = [&](const Index k) -> const Vector2 & {
-        return parts[stretch.first + static_cast<std::size_t>(k)].middle;
-      };
-      for (Index j = 0; j < block.cols(); ++j)
-      {
-        if (weights[j] == 0.)
-          continue;
-        block(j, j) += weights[j] * weights[j] * body.kernel.own(weights[j]);
-        for (Index i = j + 1; i < block.rows(); ++i)
-          if (weights[i] > 0.)
-            block(i, j) += weights[j] * weights[i] * body.kernel.at((middle(i) - middle(j)).norm());
-      }
-    }
-
-    /// On very uneven parts the means of the diagonal may be too small: they are raised until the block is
-    /// positive definite.
-    void make_definite(Eigen::MatrixXd &block)
-    {
-      const Eigen::VectorXd own = block.diagonal();
-      constexpr int most_raises = 20;
-      for (int i = 0; i < most_raises; ++i)
-      {
-        if (DenseCholesky(block).is_positive_definite())
-          return;
-        block.diagonal() += own;
-      }
-      throw ComputationError(
-          "What the contact sides yield has left the range of the machine's numbers; change the "
-          "units or the Young moduli");
     }
   } // namespace
 
-  ModelCompliance::ModelCompliance(const InterfaceProblem &problem) : problem_(problem)
+  ModelCompliance::ModelCompliance(const InterfaceProblem &problem, const Eigen::Index largest_matrix)
+      : problem_(problem)
   {
     AssertDimension(problem.layout().n_components(), 1);
     for (std::size_t i = 0; i < problem.surfaces().size(); ++i)
     {
-      const ContactSurface &surface = problem.surfaces()[i];
-      const auto bodies = pressed_bodies(surface);
-      for (const Stretch &stretch : surface.partition().stretches())
+      const Partition &partition = problem.surfaces()[i].partition();
+      const std::vector<PressedBody> bodies = pressed_bodies(problem.surfaces()[i]);
+      for (const Stretch &stretch : partition.stretches())
       {
         const auto n = static_cast<Index>(stretch.last - stretch.first);
-        Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n, n);
-        for (const auto &[index, body] : bodies)
-          add_body(body, surface.partition().parts(), stretch, block);
-        block = Eigen::MatrixXd(block.selfadjointView<Eigen::Lower>());
-        make_definite(block);
-        blocks_.push_back({problem.layout().index(i, stretch.first, normal_direction), std::move(block)});
+        const auto make = n <= largest_matrix ? make_logarithmic_model : make_half_laplacian_model;
+        blocks_.push_back({problem.layout().index(i, stretch.first, normal_direction),
+                           make(partition.parts(), stretch, bodies)});
       }
     }
+  }
+
+  bool ModelCompliance::is_exact() const
+  {
+    return std::all_of(blocks_.begin(), blocks_.end(),
+                       [](const Block &block) { return block.model->is_exact(); });
   }
 
   Eigen::VectorXd ModelCompliance::respond(const Eigen::VectorXd &pressures) const
@@ -112,16 +60,40 @@ namespace abut
     Eigen::VectorXd result(pressures.size());
     for (const Block &block : blocks_)
     {
-      const auto own = Eigen::seqN(block.first, block.matrix.rows());
-      result(own) = block.matrix * pressures(own);
+      const auto own = Eigen::seqN(block.first, block.model->size());
+      result(own) = block.model->respond(pressures(own));
     }
     return result;
   }
 
   Eigen::MatrixXd ModelCompliance::solve(const ActiveSet &active, const Eigen::MatrixXd &right_sides,
-                                         double) const
+                                         const double accuracy) const
   {
-    return Factor(*this, active).solve(right_sides);
+    const Factor factor(*this, active);
+    if (is_exact())
+      return factor.solve(right_sides);
+
+    constexpr int most_iterations = 200;
+    const Eigen::VectorXd penalties = problem_.weights()(active).cwiseProduct(problem_.penalties()(active));
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(problem_.n_pressures());
+    const auto product = [&](const Eigen::VectorXd &x) -> Eigen::VectorXd {
+      whole(active) = x;
+      return respond(whole)(active) + penalties.cwiseProduct(x);
+    };
+    const auto precondition = [&](const Eigen::VectorXd &x) -> Eigen::VectorXd { return factor.solve(x); };
+    Eigen::MatrixXd solutions(right_sides.rows(), right_sides.cols());
+    for (Index k = 0; k < right_sides.cols(); ++k)
+    {
+      const GradientSolution found =
+          conjugate_gradients(product, precondition, right_sides.col(k), accuracy, most_iterations);
+      if (found.end != GradientSolution::End::converged)
+        throw ComputationError(
+            "The model of the contact sides cannot be solved: their parts are too uneven, "
+            "or the Young moduli or penalties are out of range; let the contact sides have "
+            "cells of more even lengths");
+      solutions.col(k) = found.x;
+    }
+    return solutions;
   }
 
   ModelCompliance::Factor::Factor(const ModelCompliance &model, const ActiveSet &active)
@@ -130,19 +102,17 @@ namespace abut
            dealii::ExcMessage("active sets are in increasing order"));
     const InterfaceProblem &problem = model.problem_;
     std::size_t k = 0;
-    for (const Block &block : model.blocks_)
+    for (const auto &[first, stretch] : model.blocks_)
     {
-      const Index n = block.matrix.rows();
+      const Index n = stretch->size();
       ActiveSet own; // of the block; active sets are in increasing order
-      for (; k < active.size() && active[k] < block.first + n; ++k)
-        own.push_back(active[k] - block.first);
+      for (; k < active.size() && active[k] < first + n; ++k)
+        own.push_back(active[k] - first);
       if (own.empty())
         continue;
-      Eigen::MatrixXd matrix = block.matrix(own, own);
-      matrix.diagonal() += problem.weights()
-                               .segment(block.first, n)
-                               .cwiseProduct(problem.penalties().segment(block.first, n))(own);
-      blocks_.emplace_back(std::move(matrix));
+      const Eigen::VectorXd penalties =
+          problem.weights().segment(first, n).cwiseProduct(problem.penalties().segment(first, n))(own);
+      blocks_.push_back({static_cast<Index>(own.size()), stretch->inverse(own, penalties)});
     }
   }
 
@@ -150,10 +120,11 @@ namespace abut
   {
     Eigen::MatrixXd solutions(right_sides.rows(), right_sides.cols());
     Index first = 0;
-    for (const DenseCholesky &block : blocks_)
+    for (const Block &block : blocks_)
     {
-      solutions.middleRows(first, block.rows()) = block.solve(right_sides.middleRows(first, block.rows()));
-      first += block.rows();
+      solutions.middleRows(first, block.size) =
+          block.inverse->solve(right_sides.middleRows(first, block.size));
+      first += block.size;
     }
     return solutions;
   }

@@ -2,14 +2,12 @@
 #include <abut/base/dense_cholesky.h>
 #include <abut/base/sparse_cholesky.h>
 #include <abut/base/user_error.h>
+#include <abut/decomposition/conjugate_gradients.h>
 #include <abut/decomposition/model_compliance.h>
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <utility>
 
 namespace abut
 {
@@ -149,36 +147,27 @@ namespace abut
                                              const ModelCompliance::Factor &preconditioner,
                                              const Eigen::VectorXd &right_side, const double accuracy) const
       {
+        using End = GradientSolution::End;
         constexpr int most_iterations = 1000;
         const Eigen::VectorXd penalties = penalty_terms(problem_, active);
-        Eigen::VectorXd x = Eigen::VectorXd::Zero(right_side.size()), residual = right_side;
-        Eigen::VectorXd z = preconditioner.solve(residual), direction = z,
-                        whole = Eigen::VectorXd::Zero(problem_.n_pressures());
-        double rho = residual.dot(z);
-        const double enough = accuracy * accuracy * rho;
-        for (int i = 0; rho > enough; ++i)
-        {
-          whole(active) = direction;
-          const Eigen::VectorXd product =
-              compliance_.apply(whole)(active) + penalties.cwiseProduct(direction);
-          if (compliance_.is_dense())
-            return {};
-          const double curvature = direction.dot(product);
-          if (!(curvature > 0.))
-            refuse_dependent_multipliers();
-          if (i == most_iterations)
-            throw ComputationError("Conjugate gradients on the parts in contact have not converged in " +
-                                   std::to_string(most_iterations) +
-                                   " iterations; set Decomposition/Interface compliance to dense");
-          x += rho / curvature * direction;
-          residual -= rho / curvature * product;
-          z = preconditioner.solve(residual);
-          const double before = std::exchange(rho, residual.dot(z));
-          if (!std::isfinite(rho))
-            refuse_dependent_multipliers();
-          direction = z + rho / before * direction;
-        }
-        return x;
+        Eigen::VectorXd whole = Eigen::VectorXd::Zero(problem_.n_pressures());
+        const auto product = [&](const Eigen::VectorXd &x) -> Eigen::VectorXd {
+          whole(active) = x;
+          return compliance_.apply(whole)(active) + penalties.cwiseProduct(x);
+        };
+        const auto precondition = [&](const Eigen::VectorXd &x) -> Eigen::VectorXd {
+          return preconditioner.solve(x);
+        };
+        const GradientSolution found =
+            conjugate_gradients(product, precondition, right_side, accuracy, most_iterations,
+                                [&] { return compliance_.is_dense(); });
+        if (found.end == End::not_definite)
+          refuse_dependent_multipliers();
+        if (found.end == End::too_many)
+          throw ComputationError("Conjugate gradients on the parts in contact have not converged in " +
+                                 std::to_string(most_iterations) +
+                                 " iterations; set Decomposition/Interface compliance to dense");
+        return found.end == End::abandoned ? std::nullopt : std::optional<Eigen::VectorXd>(found.x);
       }
 
       const InterfaceProblem &problem_;
