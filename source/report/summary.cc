@@ -4,6 +4,7 @@
 #include <abut/mesh/quality.h>
 #include <abut/report/json.h>
 #include <abut/report/pass_summary.h>
+#include <abut/report/points.h>
 #include <abut/report/summary.h>
 
 #include <deal.II/base/config.h>
@@ -241,6 +242,7 @@ namespace abut
     json["relaxation"] = number(iteration.relaxation);
     json["bodies"] = bodies;
     json["contacts"] = contacts;
+    json["points"] = points_summary(results.points);
     json["error"] = error_summary(results);
     json["goal"] = goal_summary(results);
     json["true_error"] = true_error_summary(results.true_errors);

@@ -4,6 +4,7 @@
 #include <abut/report/contact_csv.h>
 #include <abut/report/page/report_page.h>
 #include <abut/report/picture.h>
+#include <abut/report/points.h>
 #include <abut/report/summary.h>
 #include <abut/report/vtu.h>
 #include <abut/report/write_all.h>
@@ -42,7 +43,7 @@ namespace abut
   void remove_old_results(const std::string &directory)
   {
     std::error_code ignored; // a file that cannot be removed cannot be replaced either, which is reported
-    for (const char *stale : {"summary.json", "report.html", "solution.svg"})
+    for (const char *stale : {"summary.json", "report.html", "solution.svg", "points.csv"})
       std::filesystem::remove(std::filesystem::path(directory) / stale, ignored);
   }
 
@@ -57,6 +58,8 @@ namespace abut
       write_file(folder / "history.csv", history.csv());
       for (const PairResult &pair : results.pairs)
         write_file(folder / ("contact_" + pair.pair->name() + ".csv"), contact_csv(pair));
+      if (!results.points.empty())
+        write_file(folder / "points.csv", points_csv(results.points));
       write_fields(results, folder);
       if (!write_picture(results, drawings, folder))
         return {"solution.svg: too many cells for a picture"};

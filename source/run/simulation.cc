@@ -7,6 +7,7 @@
 #include <abut/run/goal_value.h>
 #include <abut/run/left_out.h>
 #include <abut/run/pass_record.h>
+#include <abut/run/point_values.h>
 #include <abut/run/simulation.h>
 
 namespace abut
@@ -21,6 +22,7 @@ namespace abut
     const Stopwatch watch(construction_.mesh);
     model_ = std::make_unique<Model>(scene_, exact_.get());
     check_goal(scene_, *model_);
+    check_output_points(scene_, *model_);
     indicator_ = make_indicator(scene_.adaptation);
     certifier_ = make_certifier(scene_.adaptation);
     if (indicator_)
@@ -57,6 +59,7 @@ namespace abut
       add_exact_pressures(*exact_, scene_, results.pairs);
     }
     add_peaks(results.bodies);
+    results.points = point_values(scene_, results.bodies);
     results.limit_distance = pass->limit_distance(results);
     results.warnings = all_warnings(scene_, *model_, results, pass->dropped_loads());
     results.left_out = left_out(setup(), results);

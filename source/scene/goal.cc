@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
-#include <abut/base/text.h>
+#include <abut/base/user_error.h>
 #include <abut/scene/goal.h>
+#include <abut/scene/output_point.h>
 
 #include <regex>
 
@@ -31,10 +32,10 @@ namespace abut
       return {Kind::force};
     if (text == "peak pressure")
       return {Kind::peak_pressure};
-    static const std::string number = "\\s*([-+]?(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][-+]?[0-9]{1,2})?)\\s*";
-    static const std::regex at_point("stress\\s+at\\s*\\(" + number + "," + number + "\\)");
+    static const std::regex at_point("stress\\s+at\\s*(\\(.*\\))");
     if (std::smatch found; std::regex_match(text, found, at_point))
-      return {Kind::stress, Vector2(std::stod(found[1]), std::stod(found[2]))};
+      if (const auto point = point_of(found[1]))
+        return {Kind::stress, *point};
     throw UserError("Goal: received `" + text +
                     "`, allowed are energy, force, peak pressure, stress at (x, y)");
   }

@@ -46,6 +46,7 @@ namespace abut
               {"Output", "Directory", "", "", first_scene},
               {"Output", "Condition numbers", "", "", edges_page},
               {"Output", "Report", "", "", first_scene},
+              {"Output", "Points", "lengths", "(x, y); body: (x, y); ..., or nothing", first_scene},
               {"Discretisation", "Degree", "", "", elements_page}};
     }
 

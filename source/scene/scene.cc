@@ -32,6 +32,12 @@ namespace abut
           "costs 60 solves of each.");
       prm.declare_entry("Report", "true", dealii::Patterns::Bool(),
                         "Whether report.html is written: one page with the figures of the run.");
+      prm.declare_entry(
+          "Points", "", dealii::Patterns::Anything(),
+          "Where the solution is told, in points.csv and summary.json: displacement, stress and von Mises "
+          "stress at points of the undeformed bodies, as (x, y); body: (x, y); ..., lengths in the plane. "
+          "Without a name all bodies tell that have the point. Stresses are means over the cells that meet "
+          "there.");
     }
 
     void declare_discretisation_defaults(ParameterHandler &prm)
@@ -160,6 +166,8 @@ namespace abut
           "Output", [](const ParameterHandler &prm) { return prm.get_bool("Condition numbers"); });
       scene.writes_report =
           sections.parse("Output", [](const ParameterHandler &prm) { return prm.get_bool("Report"); });
+      scene.output_points = sections.parse(
+          "Output", [](const ParameterHandler &prm) { return parse_output_points(prm.get("Points")); });
       scene.output_directory =
           sections.parse("Output", [](const ParameterHandler &prm) { return prm.get("Directory"); });
       if (scene.output_directory.empty())

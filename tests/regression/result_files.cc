@@ -93,7 +93,7 @@ TEST(ResultFiles, SummariesFollowTheSchema)
 {
   using abut::testing::with;
   const std::map<std::string, Answer> answers = {
-      {"exact contact", run_scene("patch-test")},
+      {"exact contact", run_scene("patch-test", {"Output/Points=(0.5, 0.5)"})},
       {"penalty, increment",
        run_scene("two-layers", with(coarse_layers, {"Contact interface/Penalty coefficient=0.05"}))},
       {"estimator, exact solution",
@@ -229,7 +229,8 @@ TEST(ResultFiles, CsvFilesHaveTheColumnsOfThePage)
                     paper = project_file("prm/two-layers-paper.prm"),
                     errors = project_file("prm/two-layers-paper-errors.prm");
   const std::vector<Answer> answers = {
-      answer_of({rollers}, on_two_meshes), answer_of({"schemes", rollers}, on_two_meshes),
+      answer_of({rollers, "--set", "Output/Points=(1, 0.5)"}, on_two_meshes),
+      answer_of({"schemes", rollers}, on_two_meshes),
       answer_of({"study", rollers, "--set", "Study/Variants=", "--set", "Study/Common=", "--set",
                  "Study/Crossed with=", "--set", "Study/Load cases=one: Constants/Values = 1e-3, 1e-3",
                  "--set", "Study/Sweep=Discretisation/Degree = 1 | 2"},

@@ -12,6 +12,7 @@
 #include <abut/results/estimator_quality.h>
 #include <abut/results/goal_record.h>
 #include <abut/results/peaks.h>
+#include <abut/results/point_result.h>
 #include <abut/results/times.h>
 #include <abut/scene/scene.h>
 
@@ -169,6 +170,7 @@ namespace abut
     std::optional<AdaptationEnd> adaptation_end;
     std::optional<LimitDistance> limit_distance;
     TrueErrors true_errors;
+    std::vector<PointResult> points; ///< where the scene asks for them
     Times times;
     std::vector<Warning> warnings;
     std::vector<std::string> left_out; ///< what this scene did not need

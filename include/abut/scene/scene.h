@@ -6,6 +6,7 @@
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
 #include <abut/scene/goal.h>
+#include <abut/scene/output_point.h>
 #include <abut/scene/parameter_sections.h>
 #include <abut/scene/reference_parameters.h>
 #include <abut/scene/repeated_parameters.h>
@@ -24,6 +25,7 @@ namespace abut
     std::string output_directory;
     bool tells_condition = false;             ///< summary.json has the condition numbers
     bool writes_report = true;                ///< report.html
+    std::vector<OutputPoint> output_points;   ///< where the solution is told
     std::vector<BodyDescription> bodies;      ///< in the order of the list `Bodies`
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
     bool finds_contacts = false;  ///< `Contacts = automatic`: the list is empty, see with_found_contacts

@@ -3,6 +3,7 @@
 // The values of a body's fields at points of its cells.
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
+#include <abut/bodies/finite_elements/point_location.h>
 #include <abut/bodies/finite_elements/stress_field.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -99,57 +100,51 @@ namespace abut
 
   std::vector<unsigned int> FiniteElementBody::cells_at(const Vector2 &point) const
   {
-    std::vector<unsigned int> found;
-    for (const auto &cell : space_->dof_handler().active_cell_iterators())
-      if (cell->point_inside(dealii::Point<2>(point.x(), point.y())))
-        found.push_back(cell->active_cell_index());
-    return found;
+    std::vector<unsigned int> cells;
+    for (const LocatedPoint &located : locate(*space_, point))
+      cells.push_back(located.cell->active_cell_index());
+    return cells;
   }
 
   std::optional<Stress> FiniteElementBody::stress_at(const Eigen::VectorXd &deformation,
                                                      const Vector2 &point) const
   {
-    const dealii::Point<2> place(point.x(), point.y());
+    const std::vector<LocatedPoint> found = locate(*space_, point);
+    if (found.empty())
+      return {};
     const StressField field(*this, deformation);
     Stress sum;
-    double n = 0.;
-    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+    for (const auto &[cell, unit] : found)
     {
-      if (!cell->point_inside(place))
-        continue;
-      const dealii::Quadrature<2> at_point(space_->mapping().transform_real_to_unit_cell(cell, place));
-      dealii::FEValues<2> values(space_->mapping(), space_->dof_handler().get_fe(), at_point,
+      dealii::FEValues<2> values(space_->mapping(), space_->dof_handler().get_fe(),
+                                 dealii::Quadrature<2>(unit),
                                  dealii::update_gradients | dealii::update_quadrature_points);
       values.reinit(cell);
       std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
       cell->get_dof_indices(dofs);
       sum = sum + field.at(cell, values, 0, dofs);
-      n += 1.;
     }
-    return n > 0. ? std::optional<Stress>(sum * (1. / n)) : std::nullopt;
+    return sum * (1. / static_cast<double>(found.size()));
   }
 
   Vector2 FiniteElementBody::displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const
   {
-    const dealii::Point<2> place(point.x(), point.y());
-    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+    AssertDimension(displacement.size(), space_->n_dofs());
+    const std::vector<LocatedPoint> found = locate(*space_, point);
+    if (found.empty())
     {
-      if (!cell->point_inside(place))
-        continue;
-      const dealii::Quadrature<2> at_point(space_->mapping().transform_real_to_unit_cell(cell, place));
-      dealii::FEValues<2> values(space_->mapping(), space_->dof_handler().get_fe(), at_point,
-                                 dealii::update_values);
-      values.reinit(cell);
-      std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
-      cell->get_dof_indices(dofs);
-      Vector2 sum = Vector2::Zero();
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        sum[values.get_fe().system_to_component_index(i).first] +=
-            values.shape_value(i, 0) * displacement[static_cast<Eigen::Index>(dofs[i])];
-      return sum;
+      std::ostringstream text;
+      text << "Body " << name() << " has no point (" << point.x() << ", " << point.y() << ")";
+      throw UserError(text.str());
     }
-    std::ostringstream text;
-    text << "Body " << name() << " has no point (" << point.x() << ", " << point.y() << ")";
-    throw UserError(text.str());
+    const auto &[cell, unit] = found.front();
+    const dealii::FiniteElement<2> &element = cell->get_fe();
+    std::vector<dealii::types::global_dof_index> dofs(element.dofs_per_cell);
+    cell->get_dof_indices(dofs);
+    Vector2 sum = Vector2::Zero();
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      sum[element.system_to_component_index(i).first] +=
+          element.shape_value(i, unit) * displacement[static_cast<Eigen::Index>(dofs[i])];
+    return sum;
   }
 } // namespace abut

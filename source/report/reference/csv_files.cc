@@ -78,11 +78,27 @@ namespace abut
            {"load_x", "length", "middle of the part, where the load acts, along x"},
            {"load_y", "length", "and along y"}}};
     }
+
+    CsvDescription points_file()
+    {
+      return {"points.csv",
+              "A row for each of Output/Points and each body that has it; there is no file without points",
+              {{"body", "", "as in the parameter file"},
+               {"x", "length", "place in the plane, on the undeformed body, along x"},
+               {"y", "length", "and along y"},
+               {"displacement_x", "length", "there, along x"},
+               {"displacement_y", "length", "and along y"},
+               {"stress_xx", "stress", "mean over the cells that meet there, tension positive"},
+               {"stress_yy", "stress", "likewise"},
+               {"stress_zz", "stress", "likewise, out of the plane"},
+               {"stress_xy", "stress", "likewise"},
+               {"von_mises", "stress", "of these components"}}};
+    }
   } // namespace
 
   const std::vector<CsvDescription> &csv_files_of_runs()
   {
-    static const std::vector<CsvDescription> files = {history_file(), contact_file()};
+    static const std::vector<CsvDescription> files = {history_file(), contact_file(), points_file()};
     return files;
   }
 

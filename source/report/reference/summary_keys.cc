@@ -104,6 +104,20 @@ namespace abut
           {"contacts[].missed_contact", "count", "", "pieces that overlap where no part presses"}};
     }
 
+    Keys keys_of_points()
+    {
+      return {
+          {"points", "list", "", "the solution at Output/Points: of each, every body that has it"},
+          {"points[].body", "text", "", "as in the parameter file"},
+          {"points[].place", "vector", "length", "on the undeformed body"},
+          {"points[].displacement", "vector", "length", "there"},
+          {"points[].stress_xx", "number", "stress", "mean over the cells that meet there, tension positive"},
+          {"points[].stress_yy", "number", "stress", "likewise"},
+          {"points[].stress_zz", "number", "stress", "likewise, out of the plane"},
+          {"points[].stress_xy", "number", "stress", "likewise"},
+          {"points[].von_mises", "number", "stress", "of these components"}};
+    }
+
     Keys keys_of_errors()
     {
       return {
@@ -222,8 +236,8 @@ namespace abut
   {
     static const Keys all = [] {
       Keys keys;
-      for (const Keys &more : {keys_of_the_run(), keys_of_bodies(), keys_of_contacts(), keys_of_errors(),
-                               pass_keys(), keys_of_the_iteration(), keys_of_costs()})
+      for (const Keys &more : {keys_of_the_run(), keys_of_bodies(), keys_of_contacts(), keys_of_points(),
+                               keys_of_errors(), pass_keys(), keys_of_the_iteration(), keys_of_costs()})
         keys.insert(keys.end(), more.begin(), more.end());
       return keys;
     }();

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <abut/bodies/body.h>
+
+namespace abut
+{
+  /// The solution at a point of an undeformed body (world frame).
+  struct PointResult
+  {
+    const Body *body = nullptr;
+    Vector2 place = Vector2::Zero();
+    Vector2 displacement = Vector2::Zero();
+    Stress stress; ///< mean over the cells that meet there
+  };
+} // namespace abut

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/bodies/finite_elements/point_location.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+namespace abut
+{
+  namespace
+  {
+    /// Whether a point may lie in a cell, whose edges bend by half its size at most.
+    bool may_contain(const Cell &cell, const dealii::Point<2> &place)
+    {
+      const dealii::BoundingBox<2> box = cell->bounding_box();
+      const auto &[low, high] = box.get_boundary_points();
+      return box.center().distance(place) <= low.distance(high);
+    }
+
+    /// By Newton's method; nothing where that leads away from the cell.
+    std::optional<dealii::Point<2>> unit_point(const Space &space, const Cell &cell,
+                                               const dealii::Point<2> &place)
+    {
+      constexpr int most_steps = 30;
+      constexpr double accuracy = 1e-13, far = 3.; // of a cell
+      const double size = cell->diameter();
+      dealii::Point<2> unit = cell->reference_cell().barycenter<2>();
+      for (int step = 0; step < most_steps; ++step)
+      {
+        dealii::FEValues<2> values(space.mapping(), space.dof_handler().get_fe(), dealii::Quadrature<2>(unit),
+                                   dealii::update_quadrature_points | dealii::update_inverse_jacobians);
+        values.reinit(cell);
+        const dealii::Tensor<1, 2> miss = place - values.quadrature_point(0);
+        unit += dealii::apply_transformation(values.inverse_jacobian(0), miss);
+        if (miss.norm() <= accuracy * size)
+          return unit;
+        if (!(unit.norm() < far))
+          return {};
+      }
+      return {};
+    }
+  } // namespace
+
+  std::vector<LocatedPoint> locate(const Space &space, const Vector2 &place)
+  {
+    constexpr double round_off = 1e-8, off_the_curve = .05; // of a cell
+    const dealii::Point<2> point(place.x(), place.y());
+    std::vector<LocatedPoint> near;
+    for (const Cell &cell : space.dof_handler().active_cell_iterators())
+      if (may_contain(cell, point))
+        if (const auto unit = unit_point(space, cell, point))
+          near.push_back({cell, *unit});
+    const auto within = [&](const double tolerance) {
+      std::vector<LocatedPoint> found;
+      std::copy_if(near.begin(), near.end(), std::back_inserter(found), [&](const LocatedPoint &located) {
+        return located.cell->reference_cell().contains_point(located.unit, tolerance);
+      });
+      return found;
+    };
+    std::vector<LocatedPoint> found = within(round_off);
+    return found.empty() && space.mesh().curved ? within(off_the_curve) : found;
+  }
+} // namespace abut

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The solution at points that a scene names, against exact solutions: uniform compression, whole and turned,
+// on quadrilaterals and triangles, at corners and on sides; Lame's ring, on its arcs, which no straight cell
+// reaches.
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include <cmath>
+
+namespace
+{
+  using namespace abut::testing;
+  using nlohmann::json;
+
+  struct PlaneVector
+  {
+    double x, y;
+  };
+
+  PlaneVector rotated(const PlaneVector &v, const double angle)
+  {
+    return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
+  }
+
+  PlaneVector displacement_of(const json &point)
+  {
+    return {point["displacement"][0], point["displacement"][1]};
+  }
+
+  std::string text_of(const PlaneVector &place)
+  {
+    return "(" + std::to_string(place.x) + ", " + std::to_string(place.y) + ")";
+  }
+} // namespace
+
+TEST(OutputPoints, UniformCompression)
+{
+  const double nu = .3, modulus = 100., angle = std::acos(-1.) / 6.;
+  const double p = 1e-3 / (2. * (1. - nu * nu) / modulus + .05 / modulus);
+  const std::vector<PlaneVector> places = {{0., 0.}, {1., 0.}, {1., 1.}, {.3, .7}, {.5, 1.}, {1., .1}};
+  for (const bool turn : {false, true})
+    for (const std::string cells : {"quadrilaterals", "triangles"})
+    {
+      std::string points;
+      for (const PlaneVector &place : places)
+        points += (points.empty() ? "" : "; ") + std::string("lower: ") +
+                  text_of(turn ? rotated(place, angle) : place);
+      std::vector<std::string> overrides = {"Body lower/Cell type=" + cells, "Output/Points=" + points};
+      if (turn)
+        overrides = with(overrides, {"Body upper/Rotation angle=30", "Body lower/Rotation angle=30",
+                                     "Body upper/Shift=-0.5, 0.86602540378443864676"});
+      // six digits of turned places
+      const double accuracy = turn ? 2e-6 : 1e-9;
+      const Answer answer = run_scene("patch-test", overrides);
+      ASSERT_EQ(answer.status, 0) << answer.err;
+      ASSERT_EQ(answer.summary["points"].size(), places.size());
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        const json &point = answer.summary["points"][i];
+        EXPECT_EQ(point["body"], "lower");
+        const double own = p / modulus * (1. + nu);
+        const PlaneVector exact = {own * nu * places[i].x, -own * (1. - nu) * places[i].y},
+                          found = displacement_of(point), expected = turn ? rotated(exact, angle) : exact;
+        EXPECT_NEAR(found.x, expected.x, accuracy * p / modulus) << cells << turn << i;
+        EXPECT_NEAR(found.y, expected.y, accuracy * p / modulus) << cells << turn << i;
+        EXPECT_NEAR(point["von_mises"].get<double>(), p * std::sqrt(1. - nu + nu * nu), 1e-8 * p);
+        EXPECT_NEAR(point["stress_zz"].get<double>(), -nu * p, 1e-8 * p);
+        const double s = turn ? std::sin(angle) : 0., c = turn ? std::cos(angle) : 1.;
+        EXPECT_NEAR(point["stress_xx"].get<double>(), -p * s * s, 1e-8 * p);
+        EXPECT_NEAR(point["stress_yy"].get<double>(), -p * c * c, 1e-8 * p);
+        EXPECT_NEAR(point["stress_xy"].get<double>(), p * s * c, 1e-8 * p);
+      }
+      EXPECT_EQ(column(answer.directory + "/points.csv", "von_mises")[3],
+                answer.summary["points"][3]["von_mises"]);
+    }
+}
+
+TEST(OutputPoints, EveryBodyThatHasThePointTells)
+{
+  const Answer answer = run_scene("patch-test", {"Output/Points=(0.5, 1); upper: (0.5, 1); (0.25, 1.5)"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  std::vector<std::string> bodies;
+  for (const json &point : answer.summary["points"])
+    bodies.push_back(point["body"]);
+  EXPECT_EQ(bodies, (std::vector<std::string>{"upper", "lower", "upper", "upper"}));
+  EXPECT_GT(displacement_of(answer.summary["points"][1]).y, displacement_of(answer.summary["points"][0]).y)
+      << "the penalty lets the bodies overlap";
+}
+
+TEST(OutputPoints, LameOnCurvedSides)
+{
+  // (0.8, 0.6) lies on the circle between the cells' corners.
+  const Answer answer = run_scene(
+      "shrink-fit", {"Discretisation/Degree=2", "Output/Points=ring: (1.6, 1.2); ring: (0.8, 0.6)"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const double p = 77.0564, nu = .3, modulus = 2.1e5;
+  const json &outer = answer.summary["points"][0], &inner = answer.summary["points"][1];
+  // sigma_theta = 2 p / 3, no other stress in the plane
+  EXPECT_NEAR(outer["stress_xx"].get<double>(), 2. / 3. * p * .36, 2e-3 * p);
+  EXPECT_NEAR(outer["stress_yy"].get<double>(), 2. / 3. * p * .64, 2e-3 * p);
+  EXPECT_NEAR(outer["stress_xy"].get<double>(), -2. / 3. * p * .48, 2e-3 * p);
+  const double radial = 2. * (1. - nu * nu) * p * 2. / (modulus * 3.);
+  EXPECT_NEAR(displacement_of(outer).x, .8 * radial, 1e-4 * radial);
+  EXPECT_NEAR(displacement_of(outer).y, .6 * radial, 1e-4 * radial);
+  // sigma_r = -p, sigma_theta = 5 p / 3
+  EXPECT_NEAR(inner["stress_xx"].get<double>(), p * (-.64 + 5. / 3. * .36), 1e-2 * p);
+  EXPECT_NEAR(inner["stress_yy"].get<double>(), p * (-.36 + 5. / 3. * .64), 1e-2 * p);
+}
+
+TEST(OutputPoints, WrongOnesAreRefused)
+{
+  expect_refused(run_scene("patch-test", {"Output/Points=(0.5, 3)"}),
+                 {"Output/Points", "(0.5, 3)", "no elastic body"});
+  expect_refused(run_scene("patch-test", {"Output/Points=upper: (0.5, 0.5)"}),
+                 {"Output/Points", "upper: (0.5, 0.5)", "body upper"});
+  expect_refused(run_scene("patch-test", {"Output/Points=middle: (0.5, 0.5)"}), {"Output/Points", "middle"});
+  expect_refused(run_scene("patch-test", {"Output/Points=0.5, 0.5"}),
+                 {"Output/Points", "0.5, 0.5", "(x, y)"});
+}
