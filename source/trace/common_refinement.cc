@@ -22,14 +22,9 @@ namespace abut
       {
         if (surface.links[k].cut != side)
           continue;
-        const Trace &other = *surface.others[surface.links[k].other].trace;
-        for (std::size_t j = 0; j < other.segments().size(); ++j)
-          for (const double t : {0., 1.})
-          {
-            const auto s = normals[k].place_opposite(segment, j, t);
-            if (s && *s > snap && *s < 1. - snap)
-              places.push_back(*s);
-          }
+        for (const double s : normals[k].places_opposite_ends(segment))
+          if (s > snap && s < 1. - snap)
+            places.push_back(s);
       }
       std::sort(places.begin(), places.end());
       places.erase(std::unique(places.begin(), places.end(),

@@ -136,6 +136,46 @@ TEST(TraceRefinement, ClosedCurvesPairWithTheNearSide)
   }
 }
 
+namespace
+{
+  /// All of them, one by one.
+  std::vector<double> places_one_by_one(const CommonNormal &normal, const Trace &other, const std::size_t i)
+  {
+    std::vector<double> places;
+    for (std::size_t j = 0; j < other.segments().size(); ++j)
+      for (const double t : {0., 1.})
+        if (const auto place = normal.place_opposite(i, j, t))
+          places.push_back(*place);
+    return places;
+  }
+} // namespace
+
+TEST(CommonNormal, BlocksOfSegmentsLeaveNothingOut)
+{
+  const auto wave = [](const double height, const double first, const double last, const unsigned int n) {
+    return make_curve([=](const double x) { return Vector2(x, height + .1 * std::sin(9. * x)); },
+                      parameters(first, last, n), 1, 3);
+  };
+  const std::pair<Trace, Trace> pairs[] = {
+      {make_line(4., 0., 1., 130), make_line(0., 4., 1.01, 87)},
+      {make_arc(1., 0., 2. * M_PI, 150, 1), make_arc(1.02, 2. * M_PI, 0., 90, 1)},
+      {make_arc(1., .2, 2.9, 140, 2), make_line(-3., 3., 1.1, 77)},
+      {wave(1., 3., 0., 120), wave(1.1, -1., 4., 211)},
+      {make_arc(2., .1, 3., 101, 1), wave(2.2, -3., 3., 99)}};
+  for (const auto &[cut, other] : pairs)
+  {
+    const CommonNormal normal(cut, other);
+    std::size_t n_places = 0;
+    for (std::size_t i = 0; i < cut.segments().size(); ++i)
+    {
+      const std::vector<double> expected = places_one_by_one(normal, other, i);
+      EXPECT_EQ(normal.places_opposite_ends(i), expected) << i;
+      n_places += expected.size();
+    }
+    EXPECT_GT(n_places, 50u);
+  }
+}
+
 TEST(CommonNormal, IsThatOfTheFlatSide)
 {
   const Trace flat = make_line(3., -3., -1., 6), disc = make_arc(1., M_PI, 2. * M_PI, 24, 1);

@@ -42,6 +42,9 @@ namespace abut
     Opposite project(std::size_t segment, double s, std::size_t other_segment) const;
     /// The place on a segment of the cut side that lies opposite a place of the other side, strictly inside.
     std::optional<double> place_opposite(std::size_t segment, std::size_t other_segment, double t) const;
+    /// The places on a segment of the cut side, strictly inside, that lie opposite ends of the other's
+    /// segments, in no order.
+    std::vector<double> places_opposite_ends(std::size_t segment) const;
 
   private:
     /// A point of a side with its averaged normal and weight.
@@ -52,12 +55,29 @@ namespace abut
     };
     using Ends = std::vector<std::array<Place, 2>>;
 
+    /// Some of the other side's segments, one after the other, and what encloses the places of their ends.
+    struct Block
+    {
+      std::size_t first, last;
+      Vector2 centre;
+      double radius; ///< of a circle around the points
+      Vector2 normal;
+      double spread;      ///< of the normals around that one
+      double least, most; ///< weights
+    };
+
     static Place place_on(const Trace &side, const NormalWeight &weight, std::size_t segment, double s);
     static Ends ends_of(const Trace &side, const NormalWeight &weight);
     /// The common normal, not of unit length.
     static Vector2 direction(const Place &cut, const Place &other);
     /// By how much the line from x along the normal misses y: positive where y lies to its left.
     static double offset(const Place &cut, const Place &other);
+
+    std::vector<Block> make_blocks() const;
+    /// The sign that all offsets of a block have from a place; 0 where they may have both. Exact up to
+    /// round-off.
+    static int sign_of_offsets(const Place &cut, const Block &block);
+    std::optional<double> place_opposite(std::size_t segment, const Place &other) const;
 
     Facing project(const Place &place, std::size_t other_segment) const;
     /// Whether the normals of both sides are near enough to the line between them, and opposite.
@@ -66,5 +86,6 @@ namespace abut
     const Trace &cut_, &other_;
     NormalWeight cut_weight_, other_weight_;
     Ends cut_ends_, other_ends_;
+    std::vector<Block> blocks_; ///< of about as many segments as there are blocks
   };
 } // namespace abut
