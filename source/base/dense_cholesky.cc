@@ -6,6 +6,13 @@
 
 #include <utility>
 
+// BLAS; deal.II has no template for it.
+extern "C" void dtrsm_(const char *side, const char *triangle, const char *transposed, const char *diagonal,
+                       const dealii::types::blas_int *n_rows, const dealii::types::blas_int *n_columns,
+                       const double *factor, const double *matrix,
+                       const dealii::types::blas_int *n_matrix_rows, double *right_sides,
+                       const dealii::types::blas_int *n_right_side_rows);
+
 namespace abut
 {
   DenseCholesky::DenseCholesky(Eigen::MatrixXd matrix) : factor_(std::move(matrix))
@@ -20,12 +27,49 @@ namespace abut
     is_positive_definite_ = failure == 0 && factor_.diagonal().allFinite(); // OpenBLAS accepts NaN
   }
 
-  Eigen::MatrixXd DenseCholesky::solve(const Eigen::MatrixXd &right_sides) const
+  void DenseCholesky::solve_triangle(const char transposed, Eigen::MatrixXd &right_sides) const
   {
     AssertDimension(right_sides.rows(), factor_.rows());
     Assert(is_positive_definite_, dealii::ExcMessage("there is a factor"));
-    Eigen::MatrixXd solutions = factor_.triangularView<Eigen::Lower>().solve(right_sides);
-    factor_.triangularView<Eigen::Lower>().adjoint().solveInPlace(solutions);
+    if (right_sides.size() == 0)
+      return;
+    constexpr char left = 'L', lower = 'L', not_unit = 'N';
+    constexpr double one = 1.;
+    const auto n = static_cast<dealii::types::blas_int>(factor_.rows()),
+               n_columns = static_cast<dealii::types::blas_int>(right_sides.cols());
+    dtrsm_(&left, &lower, &transposed, &not_unit, &n, &n_columns, &one, factor_.data(), &n,
+           right_sides.data(), &n);
+  }
+
+  void DenseCholesky::solve_lower(Eigen::MatrixXd &right_sides) const
+  {
+    solve_triangle('N', right_sides);
+  }
+
+  void DenseCholesky::solve_upper(Eigen::MatrixXd &right_sides) const
+  {
+    solve_triangle('T', right_sides);
+  }
+
+  void add_gram_matrix(const Eigen::MatrixXd &a, Eigen::MatrixXd &sum)
+  {
+    AssertDimension(sum.rows(), a.cols());
+    AssertDimension(sum.cols(), a.cols());
+    if (a.size() == 0)
+      return;
+    constexpr char lower = 'L', transposed = 'T';
+    constexpr double one = 1.;
+    const auto n = static_cast<dealii::types::blas_int>(a.cols()),
+               k = static_cast<dealii::types::blas_int>(a.rows());
+    dealii::syrk(&lower, &transposed, &n, &k, &one, a.data(), &k, &one, sum.data(), &n);
+    sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
+  }
+
+  Eigen::MatrixXd DenseCholesky::solve(const Eigen::MatrixXd &right_sides) const
+  {
+    Eigen::MatrixXd solutions = right_sides;
+    solve_lower(solutions);
+    solve_upper(solutions);
     return solutions;
   }
 } // namespace abut

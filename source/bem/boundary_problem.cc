@@ -6,12 +6,14 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace abut
 {
@@ -75,13 +77,12 @@ namespace abut
              (matrix - matrix.transpose()).cwiseAbs().maxCoeff() <= tolerance * matrix.cwiseAbs().maxCoeff();
     }
 
-    Eigen::LLT<Eigen::MatrixXd> cholesky(Eigen::MatrixXd &matrix, Eigen::VectorXd &scale,
-                                         const std::string &name)
+    DenseCholesky cholesky(Eigen::MatrixXd matrix, Eigen::VectorXd &scale, const std::string &name)
     {
       scale = matrix.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
       matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
-      Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-      if (factor.info() != Eigen::Success)
+      DenseCholesky factor(std::move(matrix));
+      if (!factor.is_positive_definite())
         throw ComputationError("The boundary elements' " + name +
                                " is not positive definite: edges of very different lengths close to each "
                                "other, or a body thinner than its edges are long; refine the mesh there or "
@@ -210,14 +211,13 @@ namespace abut
       }
     if (single.rows() > 0)
     {
-      single_layer_ = cholesky(single, traction_scale_, "single layer");
+      single_layer_ = cholesky(std::move(single), traction_scale_, "single layer");
       mixed_ = traction_scale_.asDiagonal() * mixed_;
-      single_layer_.matrixL().solveInPlace(mixed_);
-      schur.selfadjointView<Eigen::Lower>().rankUpdate(mixed_.transpose());
-      schur.triangularView<Eigen::StrictlyUpper>() = schur.transpose();
+      single_layer_.solve_lower(mixed_);
+      add_gram_matrix(mixed_, schur);
     }
     if (schur.rows() > 0)
-      schur_complement_ = cholesky(schur, displacement_scale_, "Schur complement");
+      schur_complement_ = cholesky(std::move(schur), displacement_scale_, "Schur complement");
   }
 
   void BoundaryProblem::check_balance(const BoundaryState &state) const
@@ -271,12 +271,13 @@ namespace abut
     Eigen::VectorXd g = .5 * operators_.mass(free_.values, t_n).toDense() -
                         operators_.double_layer(t_n, free_).transpose() -
                         operators_.hypersingular(free_, u_d);
-    Eigen::VectorXd f(0);
+    Eigen::MatrixXd f(0, 1);
     if (tractions_.cols() > 0)
     {
       f = .5 * operators_.mass(tractions_, u_d.values).toDense() + operators_.double_layer(tractions_, u_d) -
           operators_.single_layer(tractions_, t_n);
-      f = single_layer_.matrixL().solve(traction_scale_.cwiseProduct(f));
+      f = traction_scale_.asDiagonal() * f;
+      single_layer_.solve_lower(f);
       g -= mixed_.transpose() * f;
     }
     if (g.size() > 0)
@@ -288,7 +289,10 @@ namespace abut
         f += mixed_ * u;
     }
     if (f.size() > 0)
-      state.traction += tractions_ * traction_scale_.cwiseProduct(single_layer_.matrixU().solve(f));
+    {
+      single_layer_.solve_upper(f);
+      state.traction += tractions_ * (traction_scale_.asDiagonal() * f);
+    }
     place_holes(state);
     return state;
   }

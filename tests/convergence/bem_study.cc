@@ -3,6 +3,8 @@
 
 #include <abut/bem/legendre_moments.h>
 
+#include <Eigen/Cholesky>
+
 #include <cmath>
 
 namespace abut

@@ -34,6 +34,22 @@ TEST(DenseCholesky, SolvesByTheLowerTriangle)
   }
 }
 
+TEST(DenseCholesky, SolvesWithHalfOfTheFactor)
+{
+  // L^-T L^-1 b = A^-1 b, and |L^-1 b|^2 = b . A^-1 b.
+  const Eigen::Index n = 60;
+  const Eigen::MatrixXd matrix = definite(n), exact = Eigen::MatrixXd::Random(n, 4);
+  const DenseCholesky factor(matrix);
+  Eigen::MatrixXd half = matrix * exact;
+  factor.solve_lower(half);
+  Eigen::MatrixXd energies = Eigen::MatrixXd::Identity(4, 4);
+  add_gram_matrix(half, energies);
+  const Eigen::MatrixXd expected = Eigen::MatrixXd::Identity(4, 4) + exact.transpose() * matrix * exact;
+  EXPECT_LE((energies - expected).norm(), 1e-13 * expected.norm());
+  factor.solve_upper(half);
+  EXPECT_LE((half - exact).norm(), 1e-13 * exact.norm());
+}
+
 TEST(DenseCholesky, TellsAMatrixThatIsNotPositiveDefinite)
 {
   for (const double entry : {0., -1., std::numeric_limits<double>::quiet_NaN()})

@@ -5,8 +5,8 @@
 
 namespace abut
 {
-  /// Cholesky factor of a symmetric matrix by LAPACK, which takes about half the time of Eigen's where the
-  /// matrix is large.
+  /// Cholesky factor L of a symmetric matrix by LAPACK and BLAS, which take about half the time of Eigen
+  /// where the matrix is large.
   class DenseCholesky
   {
   public:
@@ -17,9 +17,17 @@ namespace abut
     bool is_positive_definite() const { return is_positive_definite_; }
     Eigen::Index rows() const { return factor_.rows(); }
     Eigen::MatrixXd solve(const Eigen::MatrixXd &right_sides) const;
+    /// L^-1 x and L^-T x, in place of x.
+    void solve_lower(Eigen::MatrixXd &right_sides) const;
+    void solve_upper(Eigen::MatrixXd &right_sides) const;
 
   private:
+    void solve_triangle(char transposed, Eigen::MatrixXd &right_sides) const;
+
     Eigen::MatrixXd factor_; ///< in the lower triangle
     bool is_positive_definite_ = true;
   };
+
+  /// Adds A^T A to a symmetric matrix, by BLAS.
+  void add_gram_matrix(const Eigen::MatrixXd &a, Eigen::MatrixXd &sum);
 } // namespace abut

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/dense_cholesky.h>
 #include <abut/base/vector2.h>
 #include <abut/bem/boundary_space.h>
-
-#include <Eigen/Cholesky>
 
 namespace abut
 {
@@ -74,6 +73,6 @@ namespace abut
     Eigen::MatrixXd hole_motions_;              ///< the same of each hole
     Eigen::VectorXd traction_scale_, displacement_scale_;
     Eigen::MatrixXd mixed_; ///< K_DN, scaled
-    Eigen::LLT<Eigen::MatrixXd> single_layer_, schur_complement_;
+    DenseCholesky single_layer_{Eigen::MatrixXd()}, schur_complement_{Eigen::MatrixXd()};
   };
 } // namespace abut
