@@ -26,7 +26,7 @@ namespace abut
       std::ostringstream out;
       out << "step " << std::setw(6) << record.step << "  increment " << std::setw(11)
           << short_number(record.increment) << "  error bound " << std::setw(11) << short_number(record.bound)
-          << "  peak pressure " << std::setw(11) << short_number(record.max_pressure);
+          << "  largest load " << std::setw(11) << short_number(record.max_pressure);
       return out.str();
     }
 

@@ -38,7 +38,7 @@ namespace
     EXPECT_EQ(steps_shown(text), (std::vector<std::string>{"1", "2", "5", "10", "20", "50", "100", "123"}));
     EXPECT_EQ(occurrences(text, "\r"), 0u);
     EXPECT_EQ(occurrences(text, "\n"), 8u);
-    EXPECT_EQ(occurrences(text, "161.5"), 8u);
+    EXPECT_EQ(occurrences(text, "largest load       161.5"), 8u);
   }
 
   TEST(ReportProgress, LastStepIsShownOnce)

@@ -14,7 +14,8 @@ namespace abut
   /**
    * One line that tells how the steps go. On a terminal it is rewritten in place, at most ten times a second;
    * elsewhere only the steps 1, 2, 5, 10, 20, 50, ... get a line each. The last step is always shown. Quiet:
-   * nothing at all.
+   * nothing at all. The `largest load` of a line is that of a part of the interface, which is not yet a
+   * reported pressure (the `peak pressure` of the tables).
    */
   class ProgressLine
   {
