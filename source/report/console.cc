@@ -2,8 +2,10 @@
 #include <abut/base/counts.h>
 #include <abut/base/numbers.h>
 #include <abut/report/console.h>
+#include <abut/report/forces.h>
 #include <abut/report/summary.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -45,6 +47,27 @@ namespace abut
       out << '\n' << aligned(table);
     }
 
+    /// Components that are round-off beside the largest one are shown as 0.
+    void print_forces(std::ostream &out, const Results &results)
+    {
+      constexpr double round_off = 1e-12;
+      const std::vector<ForceOnBody> forces = forces_on_bodies(results);
+      double largest = 0.;
+      for (const ForceOnBody &force : forces)
+        largest = std::max(largest, force.force.cwiseAbs().maxCoeff());
+      const auto component = [&](const double value) {
+        return short_number(std::abs(value) > round_off * largest ? value : 0., 6);
+      };
+      Table table = {{"force on", "from", "x", "y"}};
+      for (const ForceOnBody &force : forces)
+        table.push_back({force.body, force.origin, component(force.force.x()), component(force.force.y())});
+      if (!forces.empty())
+        out << '\n' << aligned(table);
+      for (const Imbalance &found : imbalances(results))
+        out << "  Body " << found.body << " is out of balance: forces by " << short_number(found.forces, 2)
+            << " of their sizes, moments by " << short_number(found.moments, 2) << ".\n";
+    }
+
     /// Why the iteration ended.
     std::string stop_text(const SchemeResult &iteration)
     {
@@ -78,7 +101,7 @@ namespace abut
       if (const auto &limit = results.limit_distance)
         out << "  What that is worth: contact displacement " << percent(limit->displacement)
             << " from the limit of the iteration, energy norm " << percent(limit->energy)
-            << "; peak pressure there " << short_number(limit->peak_pressure, 5) << ".\n";
+            << "; largest load there " << short_number(limit->peak_pressure, 5) << ".\n";
       if (!results.converged())
         out << "  NOT CONVERGED: " << results.message() << '\n';
     }
@@ -152,6 +175,7 @@ namespace abut
       out << "  WARNING (" << to_string(warning.code) << "): " << warning.text << '\n';
     print_bodies(out, results);
     print_contacts(out, results);
+    print_forces(out, results);
     print_iteration(out, results);
     print_passes(out, results);
     print_true_errors(out, results.true_errors);

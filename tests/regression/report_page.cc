@@ -41,6 +41,29 @@ namespace
       EXPECT_EQ(std::stod(row.at(column_name)), expected[key].get<double>()) << column_name;
   }
 
+  /// Of every contact, then of every support, the very numbers of the summary.
+  void expect_forces(const std::vector<std::map<std::string, std::string>> &rows,
+                     const nlohmann::json &summary)
+  {
+    auto row = rows.begin();
+    const auto expect_next = [&](const std::string &from, const nlohmann::json &force) {
+      ASSERT_NE(row, rows.end()) << from;
+      EXPECT_EQ(row->at("from"), from);
+      EXPECT_EQ(std::stod(row->at("x")), force[0].get<double>()) << from;
+      EXPECT_EQ(std::stod(row->at("y")), force[1].get<double>()) << from;
+      ++row;
+    };
+    for (const auto &contact : summary["contacts"])
+      expect_next("contact " + contact["name"].get<std::string>(), contact["force"]);
+    for (const auto &body : summary["bodies"])
+      for (const auto &[boundary, force] : body["reactions"].items())
+      {
+        expect_next("support " + boundary, force);
+        EXPECT_EQ(std::prev(row)->at("body"), body["name"]);
+      }
+    EXPECT_EQ(row, rows.end());
+  }
+
   const std::vector<std::string> small_adaptive = {
       "Body upper/Cells=8, 2",  "Body lower/Cells=8, 2",      "Body upper/Adapt=true",
       "Body lower/Adapt=true",  "Adaptation/Estimator=kelly", "Adaptation/Maximum passes=4",
@@ -70,6 +93,8 @@ TEST(ReportPage, TellsTheNumbersOfTheSummary)
                   {"contact length", "contact_length"},
                   {"penetration", "max_penetration"},
                   {"largest sliding", "max_sliding"}});
+  const auto forces = table_rows(page, "Forces on the bodies, by unit of thickness");
+  expect_forces(forces, answer.summary);
   const auto body_rows = table_rows(page, "Bodies");
   ASSERT_EQ(body_rows.size(), 2u);
   for (std::size_t a = 0; a < 2; ++a)

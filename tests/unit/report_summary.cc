@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "report_testing.h"
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -78,6 +80,54 @@ namespace
     std::ostringstream out;
     print_results(out, results, "here", 2.);
     EXPECT_LT(out.str().find("(narrow-contact): too narrow"), out.str().find("max von Mises"));
+  }
+
+  /// The words of the console's line that begins with these two.
+  std::vector<std::string> line_of_console(const Results &results, const std::string &first,
+                                           const std::string &second)
+  {
+    std::ostringstream out;
+    print_results(out, results, "here", 2.);
+    for (const std::string &line : lines_of(out.str()))
+    {
+      std::istringstream in(line);
+      const std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
+      if (words.size() > 1 && words[0] == first && words[1] == second)
+        return words;
+    }
+    return {};
+  }
+
+  TEST_F(ReportedScene, ConsoleHasTheForceOnTheSlaveAndEveryReaction)
+  {
+    using Words = std::vector<std::string>;
+    results.bodies[1].reactions.by_boundary["left"] = Vector2(-1.25, 1e-15);
+    EXPECT_EQ(line_of_console(results, "lower", "contact"),
+              (Words{"lower", "contact", scene.contacts[0].name, "0", "-3.5"}));
+    EXPECT_EQ(line_of_console(results, "lower", "support"), (Words{"lower", "support", "bottom", "0", "3"}));
+    results.bodies[1].reactions.by_boundary.erase("bottom");
+    EXPECT_EQ(line_of_console(results, "lower", "support"),
+              (Words{"lower", "support", "left", "-1.25", "0"}));
+    EXPECT_EQ(line_of_console(results, "upper", "support"), Words());
+  }
+
+  TEST_F(ReportedScene, ConsoleSaysWhereForcesDoNotBalance)
+  {
+    results.bodies[0].reactions.equilibrium_residual = 1e-13;
+    EXPECT_EQ(line_of_console(results, "Body", "upper").size(), 0u);
+    results.bodies[0].reactions.equilibrium_residual = 2e-3;
+    results.bodies[0].reactions.moment_residual = 4e-5;
+    const std::vector<std::string> words = line_of_console(results, "Body", "upper");
+    EXPECT_EQ(std::count(words.begin(), words.end(), "0.002"), 1);
+    EXPECT_EQ(std::count(words.begin(), words.end(), "4e-05."), 1);
+    EXPECT_EQ(line_of_console(results, "Body", "lower").size(), 0u);
+  }
+
+  TEST_F(ReportedScene, ConsoleHasNoForcesWhereNothingHoldsAndNothingTouches)
+  {
+    results.pairs.clear();
+    results.bodies[1].reactions.by_boundary.clear();
+    EXPECT_EQ(line_of_console(results, "force", "on").size(), 0u);
   }
 
   TEST_F(ReportedScene, PeaksOfAUniformStrain)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/counts.h>
+#include <abut/report/forces.h>
 #include <abut/report/page/html.h>
 #include <abut/report/page/sections.h>
 #include <abut/report/svg.h>
@@ -45,6 +46,24 @@ namespace abut
       write_table(out, table);
     }
 
+    void write_forces(std::ostream &out, const Results &results)
+    {
+      HtmlTable table{"Forces on the bodies, by unit of thickness", {"body", "from", "x", "y"}, {}};
+      for (const ForceOnBody &force : forces_on_bodies(results))
+        table.rows.push_back({xml_text(force.body), xml_text(force.origin), html_number(force.force.x(), 6),
+                              html_number(force.force.y(), 6)});
+      if (table.rows.empty())
+        return;
+      write_table(out, table);
+      if (!results.pairs.empty())
+        out << "<p class=\"note\">A contact's force is that on its slave side; the master gets the "
+               "opposite.</p>\n";
+      for (const Imbalance &found : imbalances(results))
+        out << "<p class=\"note\">Body " << xml_text(found.body) << " is out of balance: forces by "
+            << html_percent(found.forces, 2) << " of their sizes, moments by "
+            << html_percent(found.moments, 2) << ".</p>\n";
+    }
+
     void write_budget(std::ostream &out, const PassRecord &pass)
     {
       const ErrorBudget &budget = pass.budget;
@@ -85,6 +104,7 @@ namespace abut
     out << "<section aria-labelledby=\"figures-title\">\n<h2 id=\"figures-title\">Key figures</h2>\n"
            "<p class=\"note\">In the units of the parameter file.</p>\n";
     write_contact_table(out, results.pairs);
+    write_forces(out, results);
     write_body_table(out, results.bodies);
     out << "<div class=\"beside\">\n<div>\n";
     write_budget(out, results.passes.empty() ? PassRecord() : results.passes.back());

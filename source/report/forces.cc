@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/report/forces.h>
+
+namespace abut
+{
+  namespace
+  {
+    constexpr double balance_round_off = 1e-9; // relative
+  }
+
+  std::vector<ForceOnBody> forces_on_bodies(const Results &results)
+  {
+    std::vector<ForceOnBody> forces;
+    for (const PairResult &pair : results.pairs)
+      forces.push_back(
+          {results.bodies[pair.pair->slave().body].body->name(), "contact " + pair.pair->name(), pair.force});
+    for (const BodyResult &body : results.bodies)
+      for (const auto &[boundary, force] : body.reactions.by_boundary)
+        forces.push_back({body.body->name(), "support " + boundary, force});
+    return forces;
+  }
+
+  std::vector<Imbalance> imbalances(const Results &results)
+  {
+    std::vector<Imbalance> found;
+    for (const BodyResult &body : results.bodies)
+    {
+      const Reactions &reactions = body.reactions;
+      if (reactions.equilibrium_residual > balance_round_off || reactions.moment_residual > balance_round_off)
+        found.push_back({body.body->name(), reactions.equilibrium_residual, reactions.moment_residual});
+    }
+    return found;
+  }
+} // namespace abut
