@@ -84,6 +84,8 @@ namespace abut
     record.steps = solution.iteration.steps;
     record.increment = solution.iteration.increment;
     record.iteration = solution.iteration.iteration_error;
+    if (std::isfinite(record.iteration)) // known without an estimator of the meshes too
+      record.budget.iteration = record.iteration;
     for (const BodyResult &body : solution.bodies)
       record.strain_energy += body.energy;
     add_contact(solution.pairs, record);

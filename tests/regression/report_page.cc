@@ -211,6 +211,21 @@ TEST(ReportPage, OfARunThatHasNotConvergedSaysSoFirst)
   EXPECT_EQ(verdict.get<std::string>("strong"), "Not converged");
 }
 
+TEST(ReportPage, TellsTheErrorOfTheIterationWithoutAnEstimator)
+{
+  const Answer answer = run_scene("v-groove");
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto parts = table_rows(parsed_page(page_of(answer)), "Parts of the error (energy norm)");
+  const auto part = [&](const std::string &name) {
+    const auto row =
+        std::find_if(parts.begin(), parts.end(), [&](const auto &cells) { return cells.at("part") == name; });
+    return row == parts.end() ? std::string() : row->at("error");
+  };
+  EXPECT_EQ(std::stod(part("iteration")), answer.summary["error"]["iteration"].get<double>());
+  EXPECT_EQ(part("discretisation"), "not estimated");
+  EXPECT_TRUE(answer.summary["error"]["estimate"].is_null());
+}
+
 TEST(ReportPage, OfABodyAloneHasNoContacts)
 {
   const Answer answer = run_text(one_body);
