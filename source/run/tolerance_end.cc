@@ -2,6 +2,8 @@
 #include <abut/base/numbers.h>
 #include <abut/run/tolerance_end.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace abut
 {
   namespace
@@ -65,6 +67,27 @@ namespace abut
                  before = passes[passes.size() - 1 - span].goal->discretisation;
       return now && before && *now > .5 * *before;
     }
+
+    /// What a user can do where finer meshes make another goal of it.
+    std::string way_to_settle(const Scene &scene)
+    {
+      const std::string others = scene.contacts.empty() ? "" : "the force, or for ";
+      switch (scene.goal.kind)
+      {
+      case Goal::Kind::peak_pressure:
+        return "it may be infinite (a corner, an edge that presses): ask for the force, or for a stress "
+               "elsewhere";
+      case Goal::Kind::stress:
+        return "it may be infinite there (a corner, the end of a support, an edge that presses): ask for " +
+               others + "a stress elsewhere";
+      case Goal::Kind::force:
+        return "a body that is held or moved at a single point yields the more, the smaller its cells are: "
+               "hold it along a side";
+      case Goal::Kind::energy:
+        break;
+      }
+      throw dealii::ExcInternalError();
+    }
   } // namespace
 
   std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause,
@@ -91,10 +114,7 @@ namespace abut
                     "The bodies with Adapt = false alone have an error of " + percent(*last.staying),
                     "let them adapt, or give them finer meshes");
     if (wanders(passes))
-      return missed(
-          "goal", "The goal does not settle",
-          "it may be infinite there (a corner, the end of a support, an edge that presses): ask for "
-          "the force, or for a stress elsewhere");
+      return missed("goal", "The goal does not settle", way_to_settle(scene));
     return {};
   }
 } // namespace abut

@@ -7,6 +7,7 @@
 #include <abut/run/estimate.h>
 #include <abut/run/evaluate.h>
 #include <abut/run/pass.h>
+#include <abut/run/tolerance_end.h>
 
 #include <gtest/gtest.h>
 
@@ -147,5 +148,27 @@ namespace
     EXPECT_EQ(too_many->stopped_by, "maximum passes");
     EXPECT_NE(no_cell_to_split({scene_, model_}, passes_.back()).message.find("no cell is left"),
               std::string::npos);
+  }
+
+  /// What is said of a goal whose changes stay as large as they are.
+  std::string advice(const std::string &goal)
+  {
+    const Scene scene = Scene::read(ABUT_SOURCE_DIR "/prm/two-layers-tolerance.prm", {"Goal=" + goal});
+    PassRecord pass;
+    pass.goal = GoalRecord{1., .1, 0.};
+    const auto end = tolerance_end(scene, std::vector<PassRecord>(8, pass));
+    return end ? end->message : "";
+  }
+
+  TEST(ToleranceEnd, AdvisesAgainstAskingForTheGoalItself)
+  {
+    const std::string force = advice("force"), pressure = advice("peak pressure"),
+                      stress = advice("stress at (0.9, 0.8)");
+    for (const std::string &text : {force, pressure, stress})
+      EXPECT_NE(text.find("The goal does not settle: Goal = "), std::string::npos) << text;
+    for (const std::string &text : {pressure, stress})
+      EXPECT_NE(text.find("ask for the force"), std::string::npos) << text;
+    EXPECT_EQ(force.find("ask for"), std::string::npos) << force;
+    EXPECT_NE(force.find("hold it along a side"), std::string::npos) << force;
   }
 } // namespace
