@@ -98,6 +98,12 @@ namespace abut
     const bool is_kept = run != nullptr;
     if (!is_kept)
     {
+      if (told_ != nullptr)
+        *told_
+            << "  Fine run, to compare with: the same scene on much finer meshes (Study/Reference run, up to "
+            << scene.adaptation.maximum_passes << " passes or " << scene.adaptation.maximum_unknowns
+            << " unknowns).\n  It may take longer than all variants; it is made once and kept in " << path
+            << " for later studies" << std::endl;
       run = make(scene);
       write_fine_run(path, identity, *run);
     }

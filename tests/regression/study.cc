@@ -196,12 +196,16 @@ namespace
       return n;
     };
     const Answer first = quick({});
-    EXPECT_NE(first.out.find("Fine run, now in "), std::string::npos) << first.out << first.err;
+    const std::string before = "Fine run, to compare with: ";
+    ASSERT_NE(first.out.find("Fine run, now in "), std::string::npos) << first.out << first.err;
+    EXPECT_LT(first.out.find(before), first.out.find("Fine run, now in ")) << first.out;
+    EXPECT_NE(first.out.find("up to 4 passes"), std::string::npos) << first.out;
     EXPECT_EQ(n_kept(), 1u);
     const CsvFile made(folder + "/study.csv");
     // other meshes, marking and passes of the variants are no matter of the fine run
     const Answer second = quick({"Study/Variants=spr: Adaptation/Estimator=spr | Body upper/Cells=16, 4"});
     EXPECT_NE(second.out.find("Fine run, kept in "), std::string::npos) << second.out << second.err;
+    EXPECT_EQ(second.out.find(before), std::string::npos) << second.out;
     EXPECT_EQ(n_kept(), 1u);
     const CsvFile kept(folder + "/study.csv");
     for (std::size_t row = 0; row < made.n_rows(); ++row)

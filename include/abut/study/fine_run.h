@@ -44,7 +44,7 @@ namespace abut
   class FineRuns
   {
   public:
-    /// `told`: receives a line for each run, for people; may be null.
+    /// `told`: hears of each run, for people, before it is made too; may be null.
     FineRuns(std::string directory, std::ostream *told) : directory_(std::move(directory)), told_(told) {}
 
     /// Throws UserError, also where the fine run knows no error of its own, and ComputationError.
