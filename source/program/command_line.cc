@@ -17,17 +17,27 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <iostream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace abut
 {
   namespace
   {
-    void print_warnings(std::ostream &err, const Scene &scene, const Warnings &warnings)
+    void warn(std::ostream &err, const Scene &scene, const Warnings &warnings)
     {
       for (const Warning &warning : warnings)
         err << "abut: " << scene.file << ": warning (" << to_string(warning.code) << "): " << warning.text
             << '\n';
+    }
+
+    /// Whether both are read in one place: a terminal, a file.
+    bool share_a_reader(const std::ostream &out, const std::ostream &err)
+    {
+      struct stat of_out, of_err;
+      return &out == &std::cout && &err == &std::cerr && fstat(STDOUT_FILENO, &of_out) == 0 &&
+             fstat(STDERR_FILENO, &of_err) == 0 && of_out.st_dev == of_err.st_dev &&
+             of_out.st_ino == of_err.st_ino;
     }
 
     int run_scene(const Scene &scene, const bool quiet, std::ostream &out, std::ostream &err)
@@ -64,7 +74,9 @@ namespace abut
           write_all(results, history, std::move(drawings), scene.output_directory, clock.seconds());
       results.times.output += written.seconds;
       results.left_out.insert(results.left_out.end(), written.left_out.begin(), written.left_out.end());
-      print_warnings(err, scene, results.warnings);
+      warn(err, scene, results.warnings);
+      if (!quiet && !share_a_reader(out, err))
+        print_warnings(out, results.warnings);
       if (!quiet)
         print_results(out, results, scene.output_directory, clock.seconds());
       if (results.converged())
@@ -77,7 +89,7 @@ namespace abut
     int check_scene(const Scene &scene, std::ostream &out, std::ostream &err)
     {
       const Simulation simulation(scene);
-      print_warnings(err, scene, simulation.input_warnings());
+      warn(err, scene, simulation.input_warnings());
       describe(simulation, out);
       simulation.check_supports();
       return ExitStatus::converged;

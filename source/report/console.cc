@@ -168,11 +168,15 @@ namespace abut
     }
   } // namespace
 
+  void print_warnings(std::ostream &out, const std::vector<Warning> &warnings)
+  {
+    for (const Warning &warning : warnings)
+      out << "  WARNING (" << to_string(warning.code) << "): " << warning.text << '\n';
+  }
+
   void print_results(std::ostream &out, const Results &results, const std::string &directory,
                      const double total_seconds)
   {
-    for (const Warning &warning : results.warnings)
-      out << "  WARNING (" << to_string(warning.code) << "): " << warning.text << '\n';
     print_bodies(out, results);
     print_contacts(out, results);
     print_forces(out, results);

@@ -74,14 +74,6 @@ namespace
               Json::array({Json{{"code", "narrow-contact"}, {"message", "too narrow"}}}));
   }
 
-  TEST_F(ReportedScene, WarningsStandBeforeTheTables)
-  {
-    results.warnings = {{WarningCode::narrow_contact, "too narrow"}};
-    std::ostringstream out;
-    print_results(out, results, "here", 2.);
-    EXPECT_LT(out.str().find("(narrow-contact): too narrow"), out.str().find("max von Mises"));
-  }
-
   /// The words of the console's line that begins with these two.
   std::vector<std::string> line_of_console(const Results &results, const std::string &first,
                                            const std::string &second)

@@ -8,8 +8,11 @@
 
 namespace abut
 {
-  /// The tables that end a run: bodies, contacts, how the iteration stopped and what its result is worth,
-  /// times, what was left out, and where the files are.
+  /// What the user should know, a line each.
+  void print_warnings(std::ostream &out, const std::vector<Warning> &warnings);
+
+  /// The tables that end a run: bodies, contacts, forces, how the iteration stopped and what its result is
+  /// worth, times, what was left out, and where the files are.
   void print_results(std::ostream &out, const Results &results, const std::string &directory,
                      double total_seconds);
 } // namespace abut
