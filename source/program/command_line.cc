@@ -59,7 +59,8 @@ namespace abut
       };
       observer.step = [&](const StepRecord &record) {
         history.add(record, clock.seconds());
-        progress.step(record);
+        if (!simulation.pairs().empty())
+          progress.step(record);
       };
       observer.estimate = [&](const StepEstimate &estimate) { history.add(estimate); };
       observer.end_pass = [&](const PassRecord &record) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/counts.h>
 #include <abut/base/numbers.h>
+#include <abut/base/table.h>
 #include <abut/report/console.h>
 #include <abut/report/forces.h>
 #include <abut/report/summary.h>
@@ -13,8 +14,6 @@ namespace abut
 {
   namespace
   {
-    using Table = std::vector<std::vector<std::string>>;
-
     std::string percent(const double share)
     {
       return short_number(100. * share, 2) + " %";
@@ -22,7 +21,7 @@ namespace abut
 
     void print_bodies(std::ostream &out, const Results &results)
     {
-      Table table = {
+      TextTable table = {
           {"body", "cells", "unknowns", "strain energy", "max von Mises", "max strain", "max displacement"}};
       for (const BodyResult &result : results.bodies)
       {
@@ -38,7 +37,7 @@ namespace abut
     {
       if (results.pairs.empty())
         return;
-      Table table = {
+      TextTable table = {
           {"contact", "normal force", "peak pressure", "contact length", "penetration", "max sliding"}};
       for (const PairResult &result : results.pairs)
         table.push_back({result.pair->name(), short_number(result.normal_force, 6),
@@ -58,7 +57,7 @@ namespace abut
       const auto component = [&](const double value) {
         return short_number(std::abs(value) > round_off * largest ? value : 0., 6);
       };
-      Table table = {{"force on", "from", "x", "y"}};
+      TextTable table = {{"force on", "from", "x", "y"}};
       for (const ForceOnBody &force : forces)
         table.push_back({force.body, force.origin, component(force.force.x()), component(force.force.y())});
       if (!forces.empty())
@@ -102,8 +101,6 @@ namespace abut
         out << "  What that is worth: contact displacement " << percent(limit->displacement)
             << " from the limit of the iteration, energy norm " << percent(limit->energy)
             << "; largest load there " << short_number(limit->peak_pressure, 5) << ".\n";
-      if (!results.converged())
-        out << "  NOT CONVERGED: " << results.message() << '\n';
     }
 
     /// One line for each mesh.
@@ -111,26 +108,28 @@ namespace abut
     {
       if (results.passes.empty() || !results.passes.back().discretisation)
         return;
+      const bool has_contact = !results.pairs.empty();
       const auto value = [](const std::optional<double> &number, const int digits) {
         return number ? short_number(*number, digits) : std::string("-");
       };
       const auto total = [&](const PassRecord &pass) {
         return pass.total ? (pass.error_is_bound() ? "<= " : "~ ") + value(pass.total, 3) : "-";
       };
-      Table table = {{"pass", "cells", "unknowns", "steps", "eta max", "estimated", "iteration", "total",
-                      "true energy", "true stress", "pressure", "effectivity", "of total", "seconds"}};
+      TextTable table = {{"pass", "cells", "unknowns", "steps", "eta max", "estimated", "iteration", "total",
+                          "true energy", "true stress", "pressure", "effectivity", "of total", "seconds"}};
       for (const PassRecord &pass : results.passes)
         table.push_back({std::to_string(pass.pass), std::to_string(pass.counts.cells),
-                         std::to_string(pass.counts.dofs), std::to_string(pass.steps), value(pass.eta_max, 3),
-                         value(pass.discretisation, 3), short_number(pass.iteration, 3), total(pass),
+                         std::to_string(pass.counts.dofs), has_contact ? std::to_string(pass.steps) : "-",
+                         value(pass.eta_max, 3), value(pass.discretisation, 3),
+                         has_contact ? short_number(pass.iteration, 3) : "-", total(pass),
                          value(pass.true_errors.energy, 3), value(pass.true_errors.stress, 3),
                          value(pass.true_errors.pressure, 3), value(pass.effectivity(), 3),
                          value(pass.effectivity_total, 3), short_number(pass.seconds, 3)});
-      out << "\n  Passes; relative errors: estimated, iteration, total, true energy in the energy norm,\n"
-             "  stress in L2 over xx, yy, zz, 2 xy, pressure in L2; effectivity of the estimated stress "
-             "error\n"
-             "  and of the total\n"
-          << aligned(table);
+      out << "\n  Passes; errors are relative, in the energy norm but for true stress (L2 over xx, yy, zz, 2 "
+             "xy)"
+          << (has_contact ? "\n  and pressure (L2)" : "")
+          << ";\n  effectivity: estimated by true error of the stress; of total: total by true energy\n"
+          << aligned(without_empty_columns(table));
       const PassRecord &last = results.passes.back();
       if (last.error_is_bound())
         out << "  The total bounds the error of the energy norm, as far as boundary elements are exact.\n";
@@ -142,7 +141,7 @@ namespace abut
 
     void print_true_errors(std::ostream &out, const TrueErrors &errors)
     {
-      Table table;
+      TextTable table;
       const auto row = [&](const std::string &name, const std::optional<double> &error) {
         if (error)
           table.push_back({name, percent(*error)});
@@ -180,7 +179,10 @@ namespace abut
     print_bodies(out, results);
     print_contacts(out, results);
     print_forces(out, results);
-    print_iteration(out, results);
+    if (!results.pairs.empty())
+      print_iteration(out, results);
+    if (!results.converged())
+      out << (results.pairs.empty() ? "\n" : "") << "  NOT CONVERGED: " << results.message() << '\n';
     print_passes(out, results);
     print_true_errors(out, results.true_errors);
     print_times(out, results.times, total_seconds);

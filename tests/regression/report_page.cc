@@ -232,6 +232,13 @@ TEST(ReportPage, OfABodyAloneHasNoContacts)
   ASSERT_EQ(answer.status, 0) << answer.err;
   const HtmlNode page = parsed_page(page_of(answer));
   EXPECT_TRUE(table_rows(page, "Contacts").empty());
+  for (const auto &row : table_rows(page, "Parts of the error (energy norm)"))
+    for (const std::string part : {"contact", "iteration", "penalty"})
+      EXPECT_NE(row.at("part"), part);
+  for (const std::string column : {"steps", "iteration"})
+    EXPECT_EQ(table_rows(page, "Passes; errors are relative").at(0).count(column), 0u) << column;
+  EXPECT_NE(page_of(answer).find("After 1 pass. "), std::string::npos);
+  EXPECT_EQ(answer.out.find("step "), std::string::npos) << answer.out;
   EXPECT_EQ(table_rows(page, "Bodies").size(), 1u);
   EXPECT_EQ(pass_pictures(page).size(), 1u);
 }

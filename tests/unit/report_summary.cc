@@ -115,6 +115,27 @@ namespace
     EXPECT_EQ(line_of_console(results, "Body", "lower").size(), 0u);
   }
 
+  TEST_F(ReportedScene, ConsoleTellsOfContactOnlyWhereThereIsOne)
+  {
+    results.passes[0].discretisation = .5;
+    results.passes[0].iteration = 0.;
+    results.iteration.iteration_error = 0.;
+    const auto text = [&] {
+      std::ostringstream out;
+      print_results(out, results, "here", 2.);
+      return out.str();
+    };
+    for (const std::string phrase :
+         {"Stopped after", "Iteration error", "  steps", "  iteration", "pressure"})
+      EXPECT_NE(text().find(phrase), std::string::npos) << phrase;
+    results.pairs.clear();
+    for (const std::string phrase :
+         {"Stopped after", "Iteration error", "  steps", "  iteration", "pressure"})
+      EXPECT_EQ(text().find(phrase), std::string::npos) << phrase << text();
+    results.iteration.message = "no such luck";
+    EXPECT_NE(text().find("NOT CONVERGED: no such luck"), std::string::npos);
+  }
+
   TEST_F(ReportedScene, ConsoleHasNoForcesWhereNothingHoldsAndNothingTouches)
   {
     results.pairs.clear();

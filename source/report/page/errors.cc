@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/table.h>
 #include <abut/report/page/diagram.h>
 #include <abut/report/page/html.h>
 #include <abut/report/page/sections.h>
@@ -93,17 +94,10 @@ namespace abut
     /// Without columns that have no number in any row.
     HtmlTable without_empty_columns(const HtmlTable &table)
     {
-      HtmlTable kept{table.caption, {}, std::vector<std::vector<std::string>>(table.rows.size())};
-      for (std::size_t column = 0; column < table.columns.size(); ++column)
-      {
-        if (std::all_of(table.rows.begin(), table.rows.end(),
-                        [&](const auto &row) { return row[column] == "-"; }))
-          continue;
-        kept.columns.push_back(table.columns[column]);
-        for (std::size_t row = 0; row < table.rows.size(); ++row)
-          kept.rows[row].push_back(table.rows[row][column]);
-      }
-      return kept;
+      TextTable cells{table.columns};
+      cells.insert(cells.end(), table.rows.begin(), table.rows.end());
+      cells = abut::without_empty_columns(cells);
+      return {table.caption, cells.front(), {cells.begin() + 1, cells.end()}};
     }
 
     std::string total_cell(const PassRecord &pass)
@@ -121,11 +115,11 @@ namespace abut
       for (const PassRecord &pass : passes)
         table.rows.push_back(
             {std::to_string(pass.pass), std::to_string(pass.counts.cells), std::to_string(pass.counts.dofs),
-             std::to_string(pass.steps), html_number(pass.eta_max, "-", 3),
-             html_percent(pass.discretisation, "-"), html_percent(pass.iteration), total_cell(pass),
-             html_percent(pass.true_errors.energy, "-"), html_percent(pass.true_errors.stress, "-"),
-             html_percent(pass.true_errors.pressure, "-"), html_number(pass.effectivity(), "-", 3),
-             html_number(pass.effectivity_total, "-", 3),
+             has_contact ? std::to_string(pass.steps) : "-", html_number(pass.eta_max, "-", 3),
+             html_percent(pass.discretisation, "-"), has_contact ? html_percent(pass.iteration) : "-",
+             total_cell(pass), html_percent(pass.true_errors.energy, "-"),
+             html_percent(pass.true_errors.stress, "-"), html_percent(pass.true_errors.pressure, "-"),
+             html_number(pass.effectivity(), "-", 3), html_number(pass.effectivity_total, "-", 3),
              has_contact ? html_number(pass.normal_force, 6) : "-",
              has_contact ? html_number(pass.max_pressure, 5) : "-", html_number(pass.seconds, 3)});
       write_table(out, without_empty_columns(table));

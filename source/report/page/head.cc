@@ -17,15 +17,18 @@ namespace abut
     }
 
     /// The parts that are neither in the estimate nor known to be zero.
-    std::string parts_not_estimated(const ErrorBudget &budget)
+    std::string parts_not_estimated(const ErrorBudget &budget, const bool has_contact)
     {
       std::string names;
       const auto add = [&](const std::optional<double> &part, const std::string &name) {
         if (!part)
           names += (names.empty() ? "" : ", ") + name;
       };
-      add(budget.iteration, "iteration");
-      add(budget.penalty, "penalty");
+      if (has_contact)
+      {
+        add(budget.iteration, "iteration");
+        add(budget.penalty, "penalty");
+      }
       add(budget.linear_algebra, "linear algebra");
       add(budget.geometry, "geometry");
       return names.empty() ? "" : " without what was not estimated (" + names + ")";
@@ -40,7 +43,7 @@ namespace abut
                " in the energy norm, as far as boundary elements are exact.";
       if (const auto estimate = budget.estimate())
         return "The error of the solution is about " + html_percent(*estimate, 2) + " in the energy norm" +
-               parts_not_estimated(budget) + ".";
+               parts_not_estimated(budget, !results.pairs.empty()) + ".";
       return "The error of the meshes was not estimated.";
     }
 
@@ -51,8 +54,10 @@ namespace abut
           << (good ? "Converged" : "Not converged") << "</strong> ";
       if (!good)
         out << xml_text(results.message()) << ". ";
-      out << "After " << counted(results.passes.size(), "pass") << " and " << counted(results.steps(), "step")
-          << ". " << error_phrase(results);
+      out << "After " << counted(results.passes.size(), "pass");
+      if (!results.pairs.empty())
+        out << " and " << counted(results.steps(), "step");
+      out << ". " << error_phrase(results);
       if (const auto error = results.true_errors.energy)
         out << " Against the exact solution it is " << html_percent(*error, 2) << '.';
       if (!results.warnings.empty())

@@ -64,20 +64,27 @@ namespace abut
             << html_percent(found.moments, 2) << ".</p>\n";
     }
 
-    void write_budget(std::ostream &out, const PassRecord &pass)
+    void write_budget(std::ostream &out, const PassRecord &pass, const bool has_contact)
     {
       const ErrorBudget &budget = pass.budget;
       HtmlTable table{"Parts of the error (energy norm)", {"part", "error"}, {}};
-      table.rows = {{"discretisation", html_percent(budget.discretisation, unknown)},
-                    {"contact", html_percent(budget.contact, unknown)},
-                    {"iteration", html_percent(budget.iteration, unknown)},
-                    {"penalty", html_percent(budget.penalty, unknown)},
-                    {"linear algebra", html_percent(budget.linear_algebra, unknown)},
-                    {"geometry", html_percent(budget.geometry, unknown)},
-                    {"<strong>estimate of the whole</strong>", html_percent(budget.estimate(), unknown)},
-                    {"<strong>bound of the whole</strong>", html_percent(budget.bound(), "no bound")}};
+      const auto row = [&](const std::string &name, const std::optional<double> &error,
+                           const std::string &otherwise = unknown) {
+        table.rows.push_back({name, html_percent(error, otherwise)});
+      };
+      row("discretisation", budget.discretisation);
+      if (has_contact)
+      {
+        row("contact", budget.contact);
+        row("iteration", budget.iteration);
+        row("penalty", budget.penalty);
+      }
+      row("linear algebra", budget.linear_algebra);
+      row("geometry", budget.geometry);
+      row("<strong>estimate of the whole</strong>", budget.estimate());
+      row("<strong>bound of the whole</strong>", budget.bound(), "no bound");
       if (pass.true_errors.energy)
-        table.rows.push_back({"<strong>true error</strong>", html_percent(pass.true_errors.energy, unknown)});
+        row("<strong>true error</strong>", pass.true_errors.energy);
       write_table(out, table);
       if (budget.estimate() && !pass.estimate_reason.empty())
         out << "<p class=\"note\">An estimate and no bound: " << xml_text(pass.estimate_reason) << ".</p>\n";
@@ -107,7 +114,7 @@ namespace abut
     write_forces(out, results);
     write_body_table(out, results.bodies);
     out << "<div class=\"beside\">\n<div>\n";
-    write_budget(out, results.passes.empty() ? PassRecord() : results.passes.back());
+    write_budget(out, results.passes.empty() ? PassRecord() : results.passes.back(), !results.pairs.empty());
     out << "</div>\n<div>\n";
     write_true_errors(out, results.true_errors);
     out << "</div>\n</div>\n</section>\n";
