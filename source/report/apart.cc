@@ -51,36 +51,33 @@ namespace abut
     }
 
     /// What to add to the master's shift minus the slave's.
-    Vector2 separation(const Results &results, const PairResult &result, const double factor,
-                       const double size)
+    Vector2 separation(const PairResult &result, const std::vector<Eigen::VectorXd> &drawn, const double size)
     {
       const ContactBody &m = result.pair->master();
-      const BodyResult &slave_body = results.bodies[result.pair->slave().body];
-      const BodyResult &master_body = results.bodies[m.body];
+      const Eigen::VectorXd &of_slave = drawn[result.pair->slave().body], &of_master = drawn[m.body];
       const Trace &slave = *result.pair->slave().trace, &master = *m.trace;
       const Vector2 mean = mean_normal(slave);
       if (mean.norm() < .1) // a closed curve has no direction
         return Vector2::Zero();
-      const double gap =
-          drawn_gap(deformed_nodes(slave, slave_body.displacement, factor), master,
-                    deformed_nodes(master, master_body.displacement, factor), mean.normalized());
+      const double gap = drawn_gap(deformed_nodes(slave, of_slave), master, deformed_nodes(master, of_master),
+                                   mean.normalized());
       if (!std::isfinite(gap) || gap >= -tolerated_share * size)
         return Vector2::Zero();
       return (drawn_distance_share * size - gap) * mean.normalized();
     }
   } // namespace
 
-  Polyline deformed_nodes(const Trace &side, const Eigen::VectorXd &displacement, const double factor)
+  Polyline deformed_nodes(const Trace &side, const Eigen::VectorXd &displacement)
   {
     Polyline places = side.node_points();
     for (std::size_t node = 0; node < places.size(); ++node)
       for (std::size_t component = 0; component < 2; ++component)
-        places[node][static_cast<Eigen::Index>(component)] +=
-            factor * displacement[side.node_dofs()[node][component]];
+        places[node][static_cast<Eigen::Index>(component)] += displacement[side.node_dofs()[node][component]];
     return places;
   }
 
-  Polyline shifts_apart(const Results &results, const double factor, const double scene_size)
+  Polyline shifts_apart(const Results &results, const std::vector<Eigen::VectorXd> &drawn,
+                        const double scene_size)
   {
     // From one body to the next along the pairs.
     Polyline shifts(results.bodies.size(), Vector2::Zero());
@@ -96,7 +93,7 @@ namespace abut
            next = std::find_if(results.pairs.begin(), results.pairs.end(), leads_on))
       {
         const std::size_t slave = next->pair->slave().body, master = next->pair->master().body;
-        const Vector2 apart = separation(results, *next, factor, scene_size);
+        const Vector2 apart = separation(*next, drawn, scene_size);
         if (placed[slave])
           shifts[master] = shifts[slave] + apart;
         else

@@ -10,25 +10,22 @@ namespace abut
 {
   namespace
   {
-    constexpr double visible_share = .05; // of the scene's size
-
-    /// The points of all outlines, their displacements and their cells.
+    /// The points of all outlines, a field's displacements there, and their cells.
     struct Outlines
     {
       Polyline points, displacements;
       std::vector<unsigned int> cells;
     };
 
-    Outlines outlines_of(const BodyResult &result)
+    Outlines outlines_of(const Body &body, const Eigen::VectorXd &field)
     {
       Outlines outlines;
-      result.body->visit_displacement(
-          result.displacement, SamplePoints::outline,
-          [&](const SamplePoint &point, const Vector2 &u, const Eigen::Matrix2d &) {
-            outlines.points.push_back(point.place);
-            outlines.displacements.push_back(u);
-            outlines.cells.push_back(point.cell);
-          });
+      body.visit_displacement(field, SamplePoints::outline,
+                              [&](const SamplePoint &point, const Vector2 &u, const Eigen::Matrix2d &) {
+                                outlines.points.push_back(point.place);
+                                outlines.displacements.push_back(u);
+                                outlines.cells.push_back(point.cell);
+                              });
       return outlines;
     }
 
@@ -55,32 +52,32 @@ namespace abut
       return largest;
     }
 
-    /// The largest number 1, 2 or 5 times a power of ten that is not above `value`.
-    double round_down(const double value)
-    {
-      const double power = std::pow(10., std::floor(std::log10(value)));
-      const double leading = value / power;
-      return power * (leading >= 5. ? 5. : leading >= 2. ? 2. : 1.);
-    }
-
-    double exaggeration(const std::vector<Outlines> &bodies)
+    /// From the mean deformation of its body.
+    double largest_deviation(const std::vector<Outlines> &deformations)
     {
       double largest = 0.;
-      for (const Outlines &body : bodies)
+      for (const Outlines &body : deformations)
         largest = std::max(largest, largest_deviation(body.displacements));
-      const double factor = visible_share * scene_size(bodies) / largest;
-      return std::isfinite(factor) ? round_down(factor) : 1.;
+      return largest;
     }
 
-    DrawnBody drawn_body(const BodyResult &result, const Outlines &outlines, const double factor,
-                         const Vector2 &shift)
+    /// The displacement as it is drawn.
+    Eigen::VectorXd exaggerated(const BodyResult &result, const Exaggeration &factors)
     {
+      return factors.deformation * result.deformation +
+             factors.rigid * (result.displacement - result.deformation);
+    }
+
+    /// `drawn`: the displacement as it is drawn.
+    DrawnBody drawn_body(const BodyResult &result, const Eigen::VectorXd &drawn, const Vector2 &shift)
+    {
+      const Outlines outlines = outlines_of(*result.body, drawn);
       DrawnBody body{{}, mean_von_mises(result), result.body->description().is_rigid};
       for (std::size_t i = 0; i < outlines.points.size(); ++i)
       {
         if (i == 0 || outlines.cells[i] != outlines.cells[i - 1])
           body.cells.emplace_back();
-        body.cells.back().push_back(outlines.points[i] + factor * outlines.displacements[i] + shift);
+        body.cells.back().push_back(outlines.points[i] + outlines.displacements[i] + shift);
       }
       return body;
     }
@@ -100,8 +97,8 @@ namespace abut
     }
 
     /// The parts of a pair, a contact for each stretch.
-    void add_contacts(const PairResult &result, const BodyResult &body, const double factor,
-                      const Vector2 &shift, std::vector<DrawnContact> &contacts)
+    void add_contacts(const PairResult &result, const Eigen::VectorXd &drawn, const Vector2 &shift,
+                      std::vector<DrawnContact> &contacts)
     {
       const ContactBody &cut = result.pair->cut_side();
       const auto &neighbours = result.surface->partition().neighbours();
@@ -113,8 +110,7 @@ namespace abut
         if (!goes_on)
           contacts.emplace_back();
         const Part &part = result.part(k);
-        contacts.back().nodes.push_back(
-            part.place + factor * displacement_at(*cut.trace, part, body.displacement) + shift);
+        contacts.back().nodes.push_back(part.place + displacement_at(*cut.trace, part, drawn) + shift);
         contacts.back().normals.push_back(
             Trace::averaged_normal(cut.trace->segments()[part.segment], part.s));
         contacts.back().pressures.push_back(result.pressures[static_cast<Eigen::Index>(k)]);
@@ -137,28 +133,37 @@ namespace abut
 
   DrawnBody undeformed_body(const BodyResult &result)
   {
-    return drawn_body(result, outlines_of(result), 0., Vector2::Zero());
+    return drawn_body(result, Eigen::VectorXd::Zero(result.displacement.size()), Vector2::Zero());
   }
 
   DrawnScene deformed_scene(const Results &results)
   {
-    std::vector<Outlines> outlines;
+    std::vector<Outlines> deformations;
     for (const BodyResult &body : results.bodies)
-      outlines.push_back(outlines_of(body));
+      deformations.push_back(outlines_of(*body.body, body.deformation));
 
     DrawnScene scene;
-    scene.factor = exaggeration(outlines);
-    scene.size = scene_size(outlines);
-    const Polyline shifts = shifts_apart(results, scene.factor, scene.size);
-    for (std::size_t i = 0; i < outlines.size(); ++i)
-      scene.bodies.push_back(drawn_body(results.bodies[i], outlines[i], scene.factor, shifts[i]));
+    scene.size = scene_size(deformations);
+    scene.exaggeration = exaggeration_of(results.pairs, largest_deviation(deformations), scene.size);
+    std::vector<Eigen::VectorXd> drawn;
+    for (const BodyResult &body : results.bodies)
+      drawn.push_back(exaggerated(body, scene.exaggeration));
+    const Polyline shifts = shifts_apart(results, drawn, scene.size);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      scene.bodies.push_back(drawn_body(results.bodies[i], drawn[i], shifts[i]));
     for (const PairResult &pair : results.pairs)
     {
       const std::size_t body = pair.pair->cut_side().body;
-      add_contacts(pair, results.bodies[body], scene.factor, shifts[body], scene.contacts);
+      add_contacts(pair, drawn[body], shifts[body], scene.contacts);
     }
     scene.moved_apart =
         std::any_of(shifts.begin(), shifts.end(), [](const Vector2 &shift) { return !shift.isZero(0.); });
     return scene;
+  }
+
+  std::string deformation_caption(const DrawnScene &scene)
+  {
+    return exaggeration_text(scene.exaggeration, !scene.contacts.empty()) +
+           (scene.moved_apart ? "; bodies drawn apart" : "");
   }
 } // namespace abut

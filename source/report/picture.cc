@@ -90,8 +90,7 @@ namespace abut
                  std::filesystem::path(results.scene->file).filename().string());
       out << "</g>\n";
       write_text(out, Vector2(margin, margin + 30.), Anchor::start,
-                 "deformed: displacements times " + short_number(scene.factor, 6) + ", initial gaps times 1" +
-                     (scene.moved_apart ? "; bodies drawn apart" : ""));
+                 "deformed: " + deformation_caption(scene));
     }
   } // namespace
 

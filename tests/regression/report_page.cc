@@ -243,6 +243,14 @@ TEST(ReportPage, OfABodyAloneHasNoContacts)
   EXPECT_EQ(pass_pictures(page).size(), 1u);
 }
 
+TEST(ReportPage, DrawsABodyThatHasSettledNearItsPlace)
+{
+  const std::string settled = page_of(run_scene("v-groove", {"Body disc/Shift=0, 0.05"})),
+                    touching = page_of(run_scene("v-groove"));
+  EXPECT_NE(settled.find("Deformed: deformations times 20, rigid motions times "), std::string::npos);
+  EXPECT_NE(touching.find("Deformed: displacements times 20, initial gaps times 1"), std::string::npos);
+}
+
 TEST(ReportPage, DrawsRigidBodies)
 {
   const Answer answer = run_scene("coated-block");

@@ -2,6 +2,7 @@
 #include <abut/bodies/finite_elements/nodes.h>
 #include <abut/report/colour_map.h>
 #include <abut/report/deformed.h>
+#include <abut/report/exaggeration.h>
 #include <abut/report/picture.h>
 #include <abut/report/svg.h>
 #include <abut/report/vtu.h>
@@ -51,7 +52,8 @@ namespace
   TEST_F(ReportedScene, RigidBodiesAreNotExaggeratedButDrawnApart)
   {
     const DrawnScene drawn = deformed_scene(results);
-    EXPECT_EQ(drawn.factor, 1.);
+    EXPECT_EQ(drawn.exaggeration.deformation, 1.);
+    EXPECT_EQ(drawn.exaggeration.rigid, 1.);
     ASSERT_TRUE(drawn.moved_apart);
     // The upper square went down by 1/8 and is drawn 2/100 of the diagonal above the lower one.
     double lowest = 10., highest = -10.;
@@ -77,11 +79,67 @@ namespace
     {
       const Nodes nodes = all_nodes(space_of(*bodies[1]));
       for (std::size_t i = 0; i < nodes.dofs.size(); ++i) // stretched to both sides
-        results.bodies[1].displacement[nodes.dofs[i][0]] = amplitude * (nodes.places[i].x() - .5);
-      const double shown = deformed_scene(results).factor * .5 * amplitude / std::sqrt(5.);
+        results.bodies[1].deformation[nodes.dofs[i][0]] = amplitude * (nodes.places[i].x() - .5);
+      results.bodies[1].displacement = results.bodies[1].deformation;
+      const double shown = deformed_scene(results).exaggeration.deformation * .5 * amplitude / std::sqrt(5.);
       EXPECT_LE(shown, .05 * (1. + 1e-12)) << amplitude;
       EXPECT_GE(shown, .02 * (1. - 1e-12)) << amplitude;
     }
+  }
+
+  constexpr double settled_depth = 2e-4;
+
+  /// For deformations of 1e-4 in a scene of size 1, where the bodies' rigid motions have closed the initial
+  /// gap and gone on by the depth, and moved the sides along each other.
+  Exaggeration factors_of(std::vector<PairResult> &pairs, const double sliding = 0.)
+  {
+    pairs[0].rigid_gaps = Eigen::Vector2d::Constant(-settled_depth);
+    pairs[0].rigid_sliding = Eigen::Vector2d::Constant(sliding);
+    return exaggeration_of(pairs, 1e-4, 1.);
+  }
+
+  class SettledScene : public ReportedScene
+  {
+  protected:
+    static constexpr double gap = .25;
+
+    SettledScene() { overrides.push_back("Contact interface/Gap=0.25"); }
+  };
+
+  TEST_F(SettledScene, IsDrawnTouchingWhereItTouches)
+  {
+    const Exaggeration factors = factors_of(results.pairs);
+    EXPECT_EQ(factors.deformation, 500.);
+    // Up to the two digits that the factor is told with.
+    const double motion = gap + settled_depth,
+                 drawn = gap - factors.rigid * motion + factors.deformation * settled_depth;
+    EXPECT_LT(std::abs(drawn), .05 * factors.rigid * motion);
+    EXPECT_GE(factors.rigid, 1.);
+    EXPECT_LT(factors.rigid, 2.);
+    EXPECT_EQ(exaggeration_text(factors, true),
+              "deformations times 500, rigid motions times 1.4, initial gaps times 1");
+  }
+
+  TEST_F(ReportedScene, WithoutAnInitialGapAllMotionsHaveOneFactor)
+  {
+    const Exaggeration factors = factors_of(results.pairs);
+    EXPECT_EQ(factors.rigid, factors.deformation);
+    EXPECT_EQ(exaggeration_text(factors, true), "displacements times 500, initial gaps times 1");
+    EXPECT_EQ(exaggeration_text(factors, false), "displacements times 500");
+  }
+
+  TEST_F(ReportedScene, BodiesThatMoveAlongEachOtherStayInSight)
+  {
+    EXPECT_EQ(factors_of(results.pairs, .01).rigid, 50.);
+    EXPECT_EQ(factors_of(results.pairs, -.01).rigid, 50.);
+    EXPECT_EQ(factors_of(results.pairs, 3.).rigid, 1.);
+    EXPECT_EQ(factors_of(results.pairs, 1e-4).rigid, 500.);
+  }
+
+  TEST(Exaggeration, NeedsNoContact)
+  {
+    EXPECT_EQ(exaggeration_of({}, 1e-4, 1.).rigid, 500.);
+    EXPECT_EQ(exaggeration_of({}, 0., 1.).rigid, 1.);
   }
 
   TEST_F(ReportedScene, MeanStressOfACellIsThatOfUniformStrain)

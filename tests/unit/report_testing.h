@@ -19,7 +19,7 @@ class ReportedScene : public ::testing::Test
 protected:
   void SetUp() override
   {
-    scene = file.read({"Body upper/Cells=1, 1", "Body lower/Cells=1, 1"});
+    scene = file.read(overrides);
     for (const auto &[index, side] : {std::pair(0, "bottom"), {1, "top"}})
       bodies.push_back(std::make_unique<abut::FiniteElementBody>(
           scene.bodies[static_cast<std::size_t>(index)], std::vector<std::string>{side}));
@@ -48,6 +48,8 @@ protected:
     contact.surface = surface.get();
     contact.parts = {0, 1};
     contact.gaps = Eigen::Vector2d(-.125, .25);
+    contact.rigid_gaps = Eigen::Vector2d(-.125, -.125);
+    contact.rigid_sliding = Eigen::Vector2d::Zero();
     contact.loads = Eigen::Vector2d(7., 0.);
     contact.pressures = Eigen::Vector2d(6., 1.);
     contact.force = abut::Vector2(0., -3.5);
@@ -63,6 +65,7 @@ protected:
   }
 
   SceneFile file{two_squares};
+  std::vector<std::string> overrides = {"Body upper/Cells=1, 1", "Body lower/Cells=1, 1"};
   abut::Scene scene;
   std::vector<std::unique_ptr<abut::Body>> bodies;
   std::unique_ptr<abut::ContactSurface> surface;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <abut/report/apart.h>
+#include <abut/report/exaggeration.h>
 
+#include <string>
 #include <vector>
 
 namespace abut
@@ -26,13 +28,13 @@ namespace abut
     std::vector<double> pressures;
   };
 
-  /// All bodies with their displacements exaggerated by one factor.
+  /// All bodies with their motions exaggerated.
   struct DrawnScene
   {
     std::vector<DrawnBody> bodies;
     std::vector<DrawnContact> contacts;
     double size = 0.; ///< diagonal of the box around the undeformed bodies
-    double factor = 1.;
+    Exaggeration exaggeration;
     bool moved_apart = false; ///< some body is drawn elsewhere
   };
 
@@ -40,12 +42,15 @@ namespace abut
   DrawnBody undeformed_body(const BodyResult &result);
 
   /**
-   * The deformed scene, displacements times `factor` (1, 2 or 5 times a power of ten) such that the bodies'
-   * largest displacement relative to their mean is at most, and at least 2/5 of, a twentieth of the scene's
-   * size.
+   * The deformed scene: deformations times a factor (1, 2 or 5 times a power of ten) such that the bodies'
+   * largest deformation relative to their mean is at most, and at least 2/5 of, a twentieth of the scene's
+   * size; rigid motions times one by which what touches is drawn as touching (see `exaggeration_of`).
    *
    * Initial gaps are drawn at their size, and those given as an expression not at all: bodies in contact may
    * stand apart, and those that would overlap are drawn elsewhere (see `shifts_apart`).
    */
   DrawnScene deformed_scene(const Results &results);
+
+  /// Which factors apply to what, for people.
+  std::string deformation_caption(const DrawnScene &scene);
 } // namespace abut

@@ -126,9 +126,7 @@ namespace abut
     std::string pass_caption(const PassRecord &record, const DrawnScene &scene)
     {
       return "Pass " + std::to_string(record.pass) + ": " + std::to_string(record.counts.cells) + " cells, " +
-             std::to_string(record.counts.dofs) + " unknowns. Displacements times " +
-             short_number(scene.factor, 6) + ", initial gaps times 1" +
-             (scene.moved_apart ? "; bodies drawn apart" : "") + ".";
+             std::to_string(record.counts.dofs) + " unknowns. Deformed: " + deformation_caption(scene) + ".";
     }
 
     void write_slider(std::ostream &out)
