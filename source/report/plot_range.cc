@@ -56,7 +56,9 @@ namespace abut
 
   void AxisRange::widen()
   {
-    const double size = high > low ? high - low : high == 0. ? 1. : std::abs(high);
+    constexpr double round_off = 1e-9; // relative
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const double size = high - low > round_off * largest ? high - low : largest == 0. ? 1. : largest;
     low -= .04 * size;
     high += .04 * size;
   }

@@ -4,6 +4,7 @@
 #include <abut/report/page/path_data.h>
 #include <abut/report/page/report_page.h>
 #include <abut/report/page/stress_bar.h>
+#include <abut/report/plot_range.h>
 
 #include "../html_page.h"
 #include "report_testing.h"
@@ -159,6 +160,22 @@ namespace
     EXPECT_EQ(stress_range_of({{0, row_of_squares(stresses)}}).largest, 100.);
     stresses.back() = 3.;
     EXPECT_EQ(stress_range_of({{0, row_of_squares(stresses)}}).colours.high, 3.);
+  }
+
+  TEST(ReportDiagram, AnAxisOfValuesThatDifferByRoundOffHasTicks)
+  {
+    for (const double value : {1e16, 1., 1e-12, 0., -.75})
+    {
+      AxisRange range;
+      range.include(value);
+      range.include(value * (1. + 4e-16));
+      range.widen();
+      const std::vector<double> ticks = range.ticks();
+      EXPECT_GE(ticks.size(), 1u) << value;
+      EXPECT_LE(ticks.size(), 12u) << value;
+      EXPECT_LT(range.low, value);
+      EXPECT_GT(range.high, value);
+    }
   }
 
   TEST(ReportDiagram, ThinnedCurvesKeepTheirPeaks)

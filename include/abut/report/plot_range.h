@@ -17,7 +17,7 @@ namespace abut
     /// Whether there is a place for the value.
     bool shows(double value) const;
     void include(double value);
-    /// Leaves some room at both ends.
+    /// Leaves some room at both ends; much where the values are equal up to round-off.
     void widen();
     /// Between 0 and 1 where the value is in the range.
     double share(double value) const;
