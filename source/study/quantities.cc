@@ -29,6 +29,18 @@ namespace abut
     return sum;
   }
 
+  const std::vector<NamedQuantity> &named_quantities()
+  {
+    using Of = const Quantities &;
+    static const std::vector<NamedQuantity> all = {
+        {"contact_force", "contact force", [](Of of) { return of.force(); }, true},
+        {"max_pressure", "peak pressure", [](Of of) { return of.max_pressure(); }, true},
+        {"contact_length", "contact length", [](Of of) { return of.contact_length(); }, true},
+        {"max_von_mises", "max von Mises", [](Of of) { return of.max_von_mises; }, false},
+        {"strain_energy", "strain energy", [](Of of) { return of.strain_energy; }, false}};
+    return all;
+  }
+
   Quantities quantities_of(const Solution &solution)
   {
     Quantities quantities;

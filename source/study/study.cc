@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/numbers.h>
 #include <abut/base/user_error.h>
 #include <abut/report/atomic_file.h>
 #include <abut/run/simulation.h>
@@ -8,6 +9,7 @@
 #include <abut/study/study_data.h>
 #include <abut/study/study_page.h>
 #include <abut/study/study_table.h>
+#include <abut/study/sweeps.h>
 #include <abut/study/variants.h>
 
 #include <ostream>
@@ -70,6 +72,14 @@ namespace abut
       out << std::flush;
     }
 
+    void print_quantities(const std::vector<StudyRun> &runs, std::ostream &out)
+    {
+      const std::string legend = study_table_legend(runs);
+      if (!legend.empty())
+        out << legend << '\n';
+      out << "  " << quantity_title(runs) << '\n' << aligned(quantity_table(runs)) << '\n';
+    }
+
     std::vector<std::string> complaints(const std::vector<StudyRun> &runs)
     {
       std::vector<std::string> texts;
@@ -111,10 +121,10 @@ namespace abut
       }
     if (runs.empty())
       throw ComputationError(failures.front());
-    const StudyData data = study_data(runs);
-    const std::string table = write_result(scene, "study.csv", csv(data));
-    const std::string page =
-        write_result(scene, "study.html", study_page(scene, data, study_lines(runs, peers)));
+    const std::string table = write_result(scene, "study.csv", csv(study_data(runs)));
+    const std::string page = write_result(scene, "study.html", study_page(scene, runs, peers));
+    if (!quiet)
+      print_quantities(runs, out);
     if (!quiet)
       out << "  The same in " << table << ", with diagrams in " << page << '\n';
     const std::vector<std::string> unreached = complaints(runs);

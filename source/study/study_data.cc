@@ -2,6 +2,8 @@
 #include <abut/base/numbers.h>
 #include <abut/study/quality_table.h>
 #include <abut/study/study_data.h>
+#include <abut/study/sweeps.h>
+#include <abut/study/variants.h>
 
 #include <algorithm>
 #include <functional>
@@ -65,12 +67,12 @@ namespace abut
 
     StudyColumns quantity_columns()
     {
-      using Pass = const StudyPass &;
-      return {of_pass("contact_force", [](Pass pass) { return pass.quantities.force(); }),
-              of_pass("max_pressure", [](Pass pass) { return pass.quantities.max_pressure(); }),
-              of_pass("contact_length", [](Pass pass) { return pass.quantities.contact_length(); }),
-              of_pass("max_von_mises", [](Pass pass) { return pass.quantities.max_von_mises; }),
-              of_pass("strain_energy", [](Pass pass) { return pass.quantities.strain_energy; })};
+      StudyColumns columns;
+      for (const NamedQuantity &quantity : named_quantities())
+        columns.push_back(of_pass(quantity.name, [value = quantity.value](const StudyPass &pass) {
+          return std::optional<double>(value(pass.quantities));
+        }));
+      return columns;
     }
 
     StudyColumns budget_columns()
@@ -109,21 +111,10 @@ namespace abut
       });
     }
 
-    void add_once(std::vector<std::string> &names, const std::string &name)
-    {
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    }
-
     StudyColumns contact_columns(const std::vector<StudyRun> &runs)
     {
-      std::vector<std::string> contacts;
-      for (const StudyRun &run : runs)
-        for (const StudyPass &pass : run.passes)
-          for (const ContactQuantities &contact : pass.quantities.contacts)
-            add_once(contacts, contact.name);
       StudyColumns columns;
-      for (const std::string &contact : contacts)
+      for (const std::string &contact : contact_names(runs))
       {
         columns.push_back(contact_column("contact_force", contact, &ContactQuantities::force));
         columns.push_back(contact_column("max_pressure", contact, &ContactQuantities::max_pressure));
@@ -132,33 +123,49 @@ namespace abut
       return columns;
     }
 
-    std::string value_of(const StudyRun &run, const std::string &parameter)
-    {
-      for (const auto &[swept, value] : run.variant.swept)
-        if (swept == parameter)
-          return value;
-      return {};
-    }
-
     StudyColumns swept_columns(const std::vector<StudyRun> &runs)
     {
-      std::vector<std::string> parameters;
-      bool has_load_cases = false;
-      for (const StudyRun &run : runs)
-      {
-        has_load_cases = has_load_cases || !run.variant.load_case.empty();
-        for (const auto &[parameter, value] : run.variant.swept)
-          add_once(parameters, parameter);
-      }
       StudyColumns columns;
-      if (has_load_cases)
+      if (std::any_of(runs.begin(), runs.end(),
+                      [](const StudyRun &run) { return !run.variant.load_case.empty(); }))
         columns.push_back(
             {"load_case", [](const StudyRun &run, const StudyPass &) { return run.variant.load_case; }});
-      for (const std::string &parameter : parameters)
+      for (const std::string &parameter : swept_parameters(runs))
         columns.push_back({parameter, [parameter](const StudyRun &run, const StudyPass &) {
-                             return value_of(run, parameter);
+                             return swept_value(run.variant, parameter);
                            }});
       return columns;
+    }
+
+    StudyColumns joined(const std::vector<StudyColumns> &groups)
+    {
+      StudyColumns columns;
+      for (const StudyColumns &group : groups)
+        columns.insert(columns.end(), group.begin(), group.end());
+      return columns;
+    }
+
+    StudyColumns without(StudyColumns columns, const std::string &name)
+    {
+      columns.erase(std::remove_if(columns.begin(), columns.end(),
+                                   [&](const StudyColumn &column) { return column.name == name; }),
+                    columns.end());
+      return columns;
+    }
+
+    StudyData data_of(const StudyColumns &columns, const std::vector<StudyRun> &runs)
+    {
+      StudyData data;
+      for (const StudyColumn &column : columns)
+        data.columns.push_back(column.name);
+      for (const StudyRun &run : runs)
+        for (const StudyPass &pass : run.passes)
+        {
+          data.rows.emplace_back();
+          for (const StudyColumn &column : columns)
+            data.rows.back().push_back(column.cell(run, pass));
+        }
+      return data;
     }
 
     std::string quoted(const std::string &text)
@@ -188,21 +195,21 @@ namespace abut
 
   StudyData study_data(const std::vector<StudyRun> &runs)
   {
-    StudyColumns columns;
-    for (const StudyColumns &more : {error_columns(), quality_columns(), quantity_columns(), budget_columns(),
-                                     reference_columns(), contact_columns(runs), swept_columns(runs)})
-      columns.insert(columns.end(), more.begin(), more.end());
-    StudyData data;
-    for (const StudyColumn &column : columns)
-      data.columns.push_back(column.name);
-    for (const StudyRun &run : runs)
-      for (const StudyPass &pass : run.passes)
-      {
-        data.rows.emplace_back();
-        for (const StudyColumn &column : columns)
-          data.rows.back().push_back(column.cell(run, pass));
-      }
-    return data;
+    return data_of(joined({error_columns(), quality_columns(), quantity_columns(), budget_columns(),
+                           reference_columns(), contact_columns(runs), swept_columns(runs)}),
+                   runs);
+  }
+
+  StudyData shown_data(const std::vector<StudyRun> &runs)
+  {
+    const bool has_names = std::any_of(runs.begin(), runs.end(),
+                                       [](const StudyRun &run) { return !choice_of(run.variant).empty(); });
+    const bool has_sums = contact_names(runs).size() > 1;
+    return data_of(
+        joined({swept_columns(runs), has_names ? error_columns() : without(error_columns(), "variant"),
+                quality_columns(), quantity_columns(), without(budget_columns(), "budget_discretisation"),
+                reference_columns(), has_sums ? contact_columns(runs) : StudyColumns()}),
+        runs);
   }
 
   std::string csv(const StudyData &data)

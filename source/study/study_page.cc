@@ -4,7 +4,10 @@
 #include <abut/report/plot.h>
 #include <abut/report/svg.h>
 #include <abut/study/page_assets.h>
+#include <abut/study/page_table.h>
+#include <abut/study/study_data.h>
 #include <abut/study/study_page.h>
+#include <abut/study/sweeps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +42,15 @@ namespace abut
               {"order", orders}};
     }
 
+    /// Without other programs, and without orders.
+    Json json_of(const Sweep &sweep)
+    {
+      Json lines = Json::array();
+      for (const StudyLine &line : sweep.lines)
+        lines.push_back({{"title", line.title()}, {"points", line.points}});
+      return {{"name", sweep.parameter.name}, {"label", sweep.parameter.label}, {"lines", lines}};
+    }
+
     Json json_of(const StudyCell &cell)
     {
       if (const auto *const text = std::get_if<std::string>(&cell))
@@ -67,114 +79,64 @@ namespace abut
       return text;
     }
 
-    std::string static_figure(const std::vector<StudyLine> &lines, const StudyAxis &error,
-                              const StudyAxis &cost)
+    /// Within the page: without the head of an XML file.
+    std::string static_figure(const std::vector<Plot> &diagrams, const std::string &what,
+                              const std::string &name)
     {
-      Plot plot{"", {cost.label, true}, {error.label, true}, {}};
+      std::string figure = "<figure class=\"static\" data-" + what + "=\"" + xml_text(name) + "\">\n";
+      for (const Plot &plot : diagrams)
+      {
+        const std::string svg = plots({plot});
+        figure += svg.substr(svg.find("<svg"));
+      }
+      return figure + "</figure>\n";
+    }
+
+    Plot plot_of(const std::vector<StudyLine> &lines, const StudyAxis &x, const StudyAxis &y,
+                 const bool logarithmic)
+    {
+      Plot plot{"", {x.label, logarithmic}, {y.label, logarithmic}, {}};
       for (const StudyLine &line : lines)
       {
-        const double order = line.order(error.name, cost.name);
+        const double order = logarithmic ? line.order(y.name, x.name) : std::nan("");
         Curve curve{line.title() + (std::isfinite(order) ? ", order " + short_number(order, 2) : ""),
                     {},
                     Curve::Style::marks};
         for (const auto &point : line.points)
-          if (point.count(error.name) > 0 && point.count(cost.name) > 0)
-            curve.points.emplace_back(point.at(cost.name), point.at(error.name));
+          if (point.count(y.name) > 0 && point.count(x.name) > 0)
+            curve.points.emplace_back(point.at(x.name), point.at(y.name));
         if (!curve.points.empty())
           plot.curves.push_back(curve);
       }
-      const std::string svg = plots({plot});
-      return svg.substr(svg.find("<svg")); // without the head of an XML file
+      return plot;
     }
 
     /// For every error a figure of all costs.
-    std::string static_figures(const std::vector<StudyLine> &lines, const std::vector<StudyAxis> &errors)
+    std::string error_figures(const std::vector<StudyLine> &lines, const std::vector<StudyAxis> &errors)
     {
-      std::ostringstream out;
+      std::string figures;
       for (const StudyAxis &error : errors)
       {
-        out << "<figure class=\"static\" data-error=\"" << xml_text(error.name) << "\">\n";
+        std::vector<Plot> diagrams;
         for (const StudyAxis &cost : study_costs())
-          out << static_figure(lines, error, cost);
-        out << "</figure>\n";
+          diagrams.push_back(plot_of(lines, cost, error, true));
+        figures += static_figure(diagrams, "error", error.name);
       }
-      return out.str();
+      return figures;
     }
 
-    bool has_content(const StudyData &data, const std::size_t column)
+    /// For every quantity a figure of all sweeps.
+    std::string quantity_figures(const std::vector<Sweep> &sweeps, const std::vector<StudyAxis> &quantities)
     {
-      for (const std::vector<StudyCell> &row : data.rows)
+      std::string figures;
+      for (const StudyAxis &quantity : quantities)
       {
-        const auto *const text = std::get_if<std::string>(&row[column]);
-        if (text != nullptr ? !text->empty() : std::isfinite(std::get<double>(row[column])))
-          return true;
+        std::vector<Plot> diagrams;
+        for (const Sweep &sweep : sweeps)
+          diagrams.push_back(plot_of(sweep.lines, sweep.parameter, quantity, false));
+        figures += static_figure(diagrams, "quantity", quantity.name);
       }
-      return false;
-    }
-
-    /// Whether a column is left out in print, which has no room for all of them.
-    bool is_detail(const std::string &column, const StudyCell &cell)
-    {
-      static const std::set<std::string> printed = {"pass",
-                                                    "cells",
-                                                    "dofs",
-                                                    "steps",
-                                                    "wall_time_s",
-                                                    "true_error_stress",
-                                                    "true_error_energy",
-                                                    "true_error_pressure",
-                                                    "true_error_force",
-                                                    "error_stress",
-                                                    "budget_estimate",
-                                                    "contact_force",
-                                                    "max_pressure",
-                                                    "contact_length",
-                                                    "max_von_mises"};
-      return column == "reference" || (std::holds_alternative<double>(cell) && printed.count(column) == 0);
-    }
-
-    /// The name of a column, which may go on in another line behind an underscore.
-    std::string breakable(const std::string &column)
-    {
-      std::string text;
-      for (const char c : xml_text(column))
-        text += c == '_' ? std::string("_<wbr>") : std::string(1, c);
-      return text;
-    }
-
-    std::string shown_cell(const StudyCell &cell)
-    {
-      if (const auto *const text = std::get_if<std::string>(&cell))
-        return xml_text(*text);
-      const double value = std::get<double>(cell);
-      const bool is_count = std::floor(value) == value && std::abs(value) < 1e15;
-      return short_number(value, is_count ? 15 : 4);
-    }
-
-    /// The columns that hold something.
-    std::string table_of(const StudyData &data)
-    {
-      std::ostringstream out;
-      const auto write_row = [&](const auto &shown, const std::string &element) {
-        out << "<tr>";
-        for (std::size_t i = 0; i < data.columns.size(); ++i)
-          if (has_content(data, i))
-          {
-            const StudyCell &first = data.rows.front()[i];
-            const bool is_text = std::holds_alternative<std::string>(first);
-            out << '<' << element << " class=\"" << (is_text ? "text" : "number")
-                << (is_detail(data.columns[i], first) ? " detail" : "") << "\">" << shown(i) << "</"
-                << element << '>';
-          }
-        out << "</tr>\n";
-      };
-      out << "<div class=\"scroll\"><table>\n<thead>";
-      write_row([&](const std::size_t i) { return breakable(data.columns[i]); }, "th");
-      out << "</thead>\n<tbody>\n";
-      for (const std::vector<StudyCell> &row : data.rows)
-        write_row([&](const std::size_t i) { return shown_cell(row[i]); }, "td");
-      out << "</tbody></table></div>\n";
-      return out.str();
+      return figures;
     }
 
     /// What the errors are against, one sentence.
@@ -195,41 +157,74 @@ namespace abut
                           : "Errors are relative, against " + text + ".";
     }
 
-    constexpr auto controls = R"(<div class="controls interactive">
-<label>Show <select id="error"></select></label>
-<label>against <select id="cost"></select></label>
-</div>
-<div class="interactive"><div class="chart" id="chart"><div class="tip" id="tip"></div></div>
-<ul class="legend" id="legend"></ul>
-<p>Orders are those of straight lines through all points, by least squares. A line of the legend shows or hides its curve;
-marking a part of the diagram enlarges it, a double click shows all.</p></div>
-)";
+    /// Of a diagram of study.js.
+    std::string controls(const std::string &name, const std::string &note)
+    {
+      const auto box = [&](const std::string &label, const std::string &axis) {
+        return "<label>" + label + " <select id=\"" + name + axis + "\"></select></label>\n";
+      };
+      return "<div class=\"controls interactive\">\n" + box("Show", "-y") + box("against", "-x") +
+             "</div>\n<div class=\"interactive\"><div class=\"chart\" id=\"" + name +
+             "-chart\"><div class=\"tip\" id=\"" + name + "-tip\"></div></div>\n<ul class=\"legend\" id=\"" +
+             name + "-legend\"></ul>\n<p>" + note +
+             "A line of the legend shows or hides its curve; marking a part of the diagram enlarges it, a "
+             "double click shows all.</p></div>\n";
+    }
+
+    std::string quantity_section(const std::vector<StudyRun> &runs, const std::vector<Sweep> &sweeps)
+    {
+      const std::string diagrams =
+          sweeps.empty() ? "" : controls("quantity", "") + quantity_figures(sweeps, known_quantities(runs));
+      return "<h2>Quantities</h2>\n" + diagrams + "<p>" + xml_text(quantity_title(runs)) + ".</p>\n" +
+             html_table(quantity_table(runs));
+    }
+
+    std::string error_section(const StudyData &data, const std::vector<StudyLine> &lines)
+    {
+      const std::vector<StudyAxis> errors = known_errors(lines);
+      if (errors.empty())
+        return "";
+      return "<h2>Errors</h2>\n<p>" + xml_text(reference_text(data)) + "</p>\n" +
+             controls("error", "Orders are those of straight lines through all points, by least squares. ") +
+             error_figures(lines, errors);
+    }
+
+    Json page_data(const std::string &name, const std::vector<StudyRun> &runs, const StudyData &data,
+                   const std::vector<StudyLine> &lines)
+    {
+      const std::vector<StudyAxis> errors = known_errors(lines);
+      Json line_list = Json::array(), sweep_list = Json::array();
+      for (const StudyLine &line : lines)
+        line_list.push_back(json_of(line, errors));
+      for (const Sweep &sweep : sweeps(runs))
+        sweep_list.push_back(json_of(sweep));
+      return {{"scene", name},
+              {"version", ABUT_VERSION},
+              {"costs", json_of(study_costs())},
+              {"errors", json_of(errors)},
+              {"lines", line_list},
+              {"quantities", json_of(known_quantities(runs))},
+              {"sweeps", sweep_list},
+              {"columns", data.columns},
+              {"rows", json_of(data)}};
+    }
   } // namespace
 
-  std::string study_page(const Scene &scene, const StudyData &data, const std::vector<StudyLine> &lines)
+  std::string study_page(const Scene &scene, const std::vector<StudyRun> &runs,
+                         const std::vector<StudyLine> &peers)
   {
-    const std::vector<StudyAxis> errors = known_errors(lines);
+    const std::vector<StudyLine> lines = study_lines(runs, peers);
+    const StudyData data = study_data(runs);
     const std::string name = std::filesystem::path(scene.file).stem().string();
-    Json line_list = Json::array();
-    for (const StudyLine &line : lines)
-      line_list.push_back(json_of(line, errors));
-    const Json json = {{"scene", name},
-                       {"version", ABUT_VERSION},
-                       {"costs", json_of(study_costs())},
-                       {"errors", json_of(errors)},
-                       {"lines", line_list},
-                       {"columns", data.columns},
-                       {"rows", json_of(data)}};
     std::ostringstream out;
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         << "<title>Study of " << xml_text(name) << "</title>\n<style>" << uplot_style << study_style
         << "</style>\n</head>\n<body>\n<h1>Study of " << xml_text(name) << "</h1>\n"
-        << "<p>" << xml_text(scene.file) << ", abut " ABUT_VERSION ". " << xml_text(reference_text(data))
-        << "</p>\n"
-        << controls << static_figures(lines, errors) << "<h2>All passes</h2>\n"
-        << table_of(data) << "<script type=\"application/json\" id=\"study-data\">" << script_json(json)
-        << "</script>\n<script>\n/*\n"
+        << "<p>" << xml_text(scene.file) << ", abut " ABUT_VERSION ".</p>\n"
+        << quantity_section(runs, sweeps(runs)) << error_section(data, lines) << "<h2>All passes</h2>\n"
+        << passes_table(shown_data(runs)) << "<script type=\"application/json\" id=\"study-data\">"
+        << script_json(page_data(name, runs, data, lines)) << "</script>\n<script>\n/*\n"
         << uplot_license << "*/\n"
         << uplot_script << "</script>\n<script>" << study_script << "</script>\n</body>\n</html>\n";
     return out.str();

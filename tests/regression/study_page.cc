@@ -79,12 +79,46 @@ namespace
     EXPECT_EQ(occurrences(page, "<svg xmlns"), 2 * data["errors"].size());
     EXPECT_NE(page.find("data-error=\"stress\""), std::string::npos);
     EXPECT_EQ(occurrences(page, "<circle r="),
-              2 * (3 + 2) * data["errors"].size()); // three passes, two in the legend
-    EXPECT_EQ(occurrences(page, "<tr>"), 1u + 3u);
+              2 * (3 + 2) * data["errors"].size());              // three passes, two in the legend
+    EXPECT_EQ(occurrences(page, "<tr>"), (1u + 1u) + (1u + 3u)); // of the variant, of its passes
     EXPECT_EQ(occurrences(page, "<script src"), 0u);
     EXPECT_EQ(occurrences(page, "<link"), 0u);
     EXPECT_EQ(occurrences(page, "<?xml"), 0u);
     EXPECT_NE(page.find("Copyright (c) 2022 Leon Sorokin"), std::string::npos); // of uPlot, with its licence
+  }
+
+  TEST(StudyPage, ShowsQuantitiesAgainstWhatIsSwept)
+  {
+    const std::string steel = "Body lower/Young modulus";
+    const Answer answer = run({"study", project_file("prm/two-layers-rollers.prm"), "--set",
+                               "Study/Common=Body upper/Cells=16, 4 | Body lower/Cells=16, 4", "--set",
+                               "Study/Variants=", "--set", "Reference/Exact solution=none", "--set",
+                               "Study/Sweep=" + steel + " = 2e5 | 1e5"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const CsvFile file(answer.directory + "/study.csv");
+    const std::string page = read_file(answer.directory + "/study.html");
+    const nlohmann::json data = data_of(page);
+    ASSERT_EQ(data["sweeps"].size(), 1u);
+    EXPECT_EQ(data["sweeps"][0]["name"], steel);
+    const nlohmann::json &points = data["sweeps"][0]["lines"][0]["points"];
+    ASSERT_EQ(points.size(), 2u);
+    for (std::size_t row = 0; row < 2; ++row)
+    {
+      const nlohmann::json &point = points[1 - row]; // from the smallest on
+      EXPECT_EQ(point[steel], std::stod(file.text(row, steel)));
+      for (const std::string column : {"contact_force", "max_pressure", "contact_length", "max_von_mises"})
+        EXPECT_EQ(point[column], file.number(row, column)) << column;
+    }
+    EXPECT_EQ(occurrences(page, "data-quantity="), data["quantities"].size());
+    // no errors: neither exact nor estimated
+    EXPECT_EQ(page.find("<h2>Errors</h2>"), std::string::npos);
+    // the swept value stands first in all tables, and nothing stands there twice
+    EXPECT_EQ(occurrences(page, "<tr><th class=\"number\">" + steel), 1u);
+    EXPECT_EQ(occurrences(page, "<tr><th class=\"text\">" + steel), 1u);
+    for (const std::string twice : {">variant</th>", "interface</th>", "discretisation</th>"})
+      EXPECT_EQ(page.find(twice), std::string::npos) << twice;
+    EXPECT_NE(answer.out.find("  " + steel + "  contact force  peak pressure"), std::string::npos)
+        << answer.out;
   }
 
   TEST(StudyPage, TellsTheOrderOfPointsOnAStraightLine)

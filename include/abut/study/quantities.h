@@ -29,5 +29,15 @@ namespace abut
     double contact_length() const; ///< sum
   };
 
+  /// A quantity by its names in files and for people.
+  struct NamedQuantity
+  {
+    std::string name, label;
+    double (*value)(const Quantities &quantities);
+    bool of_contact; ///< there is none without contacts
+  };
+
+  const std::vector<NamedQuantity> &named_quantities();
+
   Quantities quantities_of(const Solution &solution);
 } // namespace abut

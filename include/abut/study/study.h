@@ -10,10 +10,11 @@ namespace abut
   /**
    * Runs the variants that the section `Study` of a file lists, one after the other, prints error against
    * unknowns and against seconds for every pass of each and, where the exact response is known, what the
-   * estimator is worth; writes the same to study.csv and study.html in the output directory. Throws
-   * UserError, also for a file without variants, and ComputationError where no variant has results. Returns
-   * sentences, without the full stop, on variants without results, on those that did not reach what they were
-   * asked for and on fine runs that are no reference.
+   * estimator is worth, then force, pressure, stress and energy of each; writes the same to study.csv and
+   * study.html in the output directory. Throws UserError, also for a file without variants, and
+   * ComputationError where no variant has results. Returns sentences, without the full stop, on variants
+   * without results, on those that did not reach what they were asked for and on fine runs that are no
+   * reference.
    */
   std::vector<std::string> run_study(const std::string &file, const std::vector<std::string> &overrides,
                                      bool quiet, std::ostream &out);

@@ -26,6 +26,9 @@ namespace abut
    */
   StudyData study_data(const std::vector<StudyRun> &runs);
 
+  /// For readers of the page: the same with what the study changes first, and nothing twice.
+  StudyData shown_data(const std::vector<StudyRun> &runs);
+
   /// Texts in quotation marks, which are doubled within.
   std::string csv(const StudyData &data);
 } // namespace abut

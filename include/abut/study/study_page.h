@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/study/study_data.h>
 #include <abut/study/study_lines.h>
 
 namespace abut
 {
   /**
-   * The content of study.html, a page that needs no other file: a diagram of error against cost with controls
-   * (uPlot), figures in its place where there are no scripts, the table, and the data for programs: JSON in
-   * the element `study-data`, whose `columns` and `rows` are those of study.csv, null where nothing is known.
+   * The content of study.html, a page that needs no other file: quantities of every variant, against the
+   * number that a sweep changes in a diagram too; a diagram of error against cost where errors are known; the
+   * table of all passes. Diagrams have controls (uPlot), and figures in their place where there are no
+   * scripts. The data for programs are JSON in the element `study-data`, whose `columns` and `rows` are those
+   * of study.csv, null where nothing is known. `peers`: lines of other programs.
    */
-  std::string study_page(const Scene &scene, const StudyData &data, const std::vector<StudyLine> &lines);
+  std::string study_page(const Scene &scene, const std::vector<StudyRun> &runs,
+                         const std::vector<StudyLine> &peers);
 } // namespace abut
