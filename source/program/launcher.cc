@@ -14,6 +14,7 @@
 #include <abut/program/arguments.h>
 
 #include <dlfcn.h>
+#include <filesystem>
 #include <iostream>
 
 namespace
@@ -23,6 +24,19 @@ namespace
 #include "leaf_first.inc"
   };
 
+  /// Where libabut.so is, as seen from the program: built, or installed. By its path, since a dlopen that a
+  /// sanitizer has taken over looks in none of the program's own search paths.
+  const char *const folders[] = {ABUT_LIBRARY_FOLDERS};
+
+  void *open_library()
+  {
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+    for (const char *folder : folders)
+      if (const auto path = program.parent_path() / folder / "libabut.so"; std::filesystem::exists(path))
+        return dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    return dlopen("libabut.so", RTLD_LAZY | RTLD_LOCAL);
+  }
+
   using RunCommandLine = int(int argc, const char *const *argv);
 
   /// `abut_run_command_line` of libabut.so; null, with a message in dlerror(), where it cannot be had.
@@ -31,7 +45,7 @@ namespace
     for (const char *library : libraries)
       // One that is no longer there either is not needed any more or is missed below.
       dlopen(library, RTLD_LAZY | RTLD_LOCAL);
-    void *const abut = dlopen("libabut.so", RTLD_LAZY | RTLD_LOCAL);
+    void *const abut = open_library();
     return abut == nullptr ? nullptr
                            : reinterpret_cast<RunCommandLine *>(dlsym(abut, "abut_run_command_line"));
   }
