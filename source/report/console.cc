@@ -67,6 +67,18 @@ namespace abut
             << " of their sizes, moments by " << short_number(found.moments, 2) << ".\n";
     }
 
+    void print_points(std::ostream &out, const std::vector<PointResult> &points)
+    {
+      if (points.empty())
+        return;
+      TextTable table = {{"at", "x", "y", "displacement x", "displacement y", "von Mises"}};
+      for (const PointResult &point : points)
+        table.push_back({point.body->name(), short_number(point.place.x()), short_number(point.place.y()),
+                         short_number(point.displacement.x(), 6), short_number(point.displacement.y(), 6),
+                         short_number(point.stress.von_mises(), 5)});
+      out << '\n' << aligned(table);
+    }
+
     /// Why the iteration ended.
     std::string stop_text(const SchemeResult &iteration)
     {
@@ -179,6 +191,7 @@ namespace abut
     print_bodies(out, results);
     print_contacts(out, results);
     print_forces(out, results);
+    print_points(out, results.points);
     if (!results.pairs.empty())
       print_iteration(out, results);
     if (!results.converged())

@@ -10,7 +10,7 @@ namespace abut
     std::string text = csv_header("points.csv");
     for (const PointResult &point : points)
     {
-      text += point.body->name();
+      text += point.body->name() + ',' + std::to_string(point.number);
       const Stress &stress = point.stress;
       for (const double value :
            {point.place.x(), point.place.y(), point.displacement.x(), point.displacement.y(), stress.xx,
@@ -26,6 +26,7 @@ namespace abut
     Json list = Json::array();
     for (const PointResult &point : points)
       list.push_back({{"body", point.body->name()},
+                      {"number", point.number},
                       {"place", {number(point.place.x()), number(point.place.y())}},
                       {"displacement", {number(point.displacement.x()), number(point.displacement.y())}},
                       {"stress_xx", number(point.stress.xx)},

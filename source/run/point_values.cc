@@ -41,12 +41,15 @@ namespace abut
   std::vector<PointResult> point_values(const Scene &scene, const std::vector<BodyResult> &bodies)
   {
     std::vector<PointResult> values;
-    for (const OutputPoint &point : scene.output_points)
+    for (std::size_t i = 0; i < scene.output_points.size(); ++i)
+    {
+      const OutputPoint &point = scene.output_points[i];
       for (const BodyResult &result : bodies)
         if (is_asked(point, *result.body))
           if (const auto stress = result.body->stress_at(result.deformation, point.place))
-            values.push_back({result.body, point.place,
+            values.push_back({result.body, i + 1, point.place,
                               result.body->displacement_at(result.displacement, point.place), *stress});
+    }
     return values;
   }
 } // namespace abut

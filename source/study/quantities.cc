@@ -41,6 +41,15 @@ namespace abut
     return all;
   }
 
+  std::vector<PointQuantities> quantities_at(const std::vector<PointResult> &points)
+  {
+    std::vector<PointQuantities> quantities;
+    for (const PointResult &point : points)
+      quantities.push_back({point.body->name() + '_' + std::to_string(point.number), point.stress.von_mises(),
+                            point.displacement});
+    return quantities;
+  }
+
   Quantities quantities_of(const Solution &solution)
   {
     Quantities quantities;

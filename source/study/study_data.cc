@@ -123,6 +123,32 @@ namespace abut
       return columns;
     }
 
+    using PointValue = std::function<double(const PointQuantities &)>;
+
+    /// Of one point; a variant need not have it.
+    StudyColumn point_column(const std::string &name, const std::string &point, const PointValue &value)
+    {
+      return of_pass(name + '_' + point, [point, value](const StudyPass &pass) {
+        for (const PointQuantities &quantities : pass.quantities.points)
+          if (quantities.name == point)
+            return std::optional<double>(value(quantities));
+        return std::optional<double>();
+      });
+    }
+
+    StudyColumns point_columns(const std::vector<StudyRun> &runs)
+    {
+      using At = const PointQuantities &;
+      StudyColumns columns;
+      for (const std::string &point : point_names(runs))
+      {
+        columns.push_back(point_column("von_mises", point, [](At at) { return at.von_mises; }));
+        columns.push_back(point_column("displacement_x", point, [](At at) { return at.displacement.x(); }));
+        columns.push_back(point_column("displacement_y", point, [](At at) { return at.displacement.y(); }));
+      }
+      return columns;
+    }
+
     StudyColumns swept_columns(const std::vector<StudyRun> &runs)
     {
       StudyColumns columns;
@@ -195,9 +221,10 @@ namespace abut
 
   StudyData study_data(const std::vector<StudyRun> &runs)
   {
-    return data_of(joined({error_columns(), quality_columns(), quantity_columns(), budget_columns(),
-                           reference_columns(), contact_columns(runs), swept_columns(runs)}),
-                   runs);
+    return data_of(
+        joined({error_columns(), quality_columns(), quantity_columns(), budget_columns(), reference_columns(),
+                contact_columns(runs), point_columns(runs), swept_columns(runs)}),
+        runs);
   }
 
   StudyData shown_data(const std::vector<StudyRun> &runs)
@@ -208,7 +235,7 @@ namespace abut
     return data_of(
         joined({swept_columns(runs), has_names ? error_columns() : without(error_columns(), "variant"),
                 quality_columns(), quantity_columns(), without(budget_columns(), "budget_discretisation"),
-                reference_columns(), has_sums ? contact_columns(runs) : StudyColumns()}),
+                reference_columns(), has_sums ? contact_columns(runs) : StudyColumns(), point_columns(runs)}),
         runs);
   }
 

@@ -2,6 +2,7 @@
 #include <abut/base/numbers.h>
 #include <abut/base/stopwatch.h>
 #include <abut/comparison/true_errors.h>
+#include <abut/run/point_values.h>
 #include <abut/run/simulation.h>
 #include <abut/study/study_run.h>
 
@@ -66,6 +67,7 @@ namespace abut
       pass.record.seconds -= looking;
       const Stopwatch watch(looking);
       pass.quantities = quantities_of(state.results);
+      pass.quantities.points = quantities_at(point_values(simulation.scene(), state.results.bodies));
       if (fine != nullptr)
         compare_with(*fine, simulation.scene(), state.results, pass);
       run.passes.push_back(std::move(pass));

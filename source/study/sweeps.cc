@@ -88,6 +88,16 @@ namespace abut
     return names;
   }
 
+  std::vector<std::string> point_names(const std::vector<StudyRun> &runs)
+  {
+    std::vector<std::string> names;
+    for (const StudyRun &run : runs)
+      for (const StudyPass &pass : run.passes)
+        for (const PointQuantities &point : pass.quantities.points)
+          add_once(names, point.name);
+    return names;
+  }
+
   std::vector<Sweep> sweeps(const std::vector<StudyRun> &runs)
   {
     std::vector<Sweep> all;
@@ -110,6 +120,16 @@ namespace abut
     return axes;
   }
 
+  namespace
+  {
+    std::string von_mises_at(const std::string &point, const Quantities &quantities)
+    {
+      const auto found = std::find_if(quantities.points.begin(), quantities.points.end(),
+                                      [&](const PointQuantities &at) { return at.name == point; });
+      return found == quantities.points.end() ? "-" : short_number(found->von_mises, 6);
+    }
+  } // namespace
+
   TextTable quantity_table(const std::vector<StudyRun> &runs)
   {
     const std::vector<std::string> parameters = swept_parameters(runs);
@@ -120,6 +140,9 @@ namespace abut
     table.front().insert(table.front().end(), {"load case", "variant"});
     for (const NamedQuantity &quantity : quantities)
       table.front().push_back(quantity.label);
+    const std::vector<std::string> points = point_names(runs);
+    for (const std::string &point : points)
+      table.front().push_back("von Mises at " + point);
     for (const StudyRun &run : runs)
     {
       std::vector<std::string> row;
@@ -128,6 +151,8 @@ namespace abut
       row.insert(row.end(), {shown(run.variant.load_case), shown(choice_of(run.variant))});
       for (const NamedQuantity &quantity : quantities)
         row.push_back(short_number(quantity.value(run.passes.back().quantities), 6));
+      for (const std::string &point : points)
+        row.push_back(von_mises_at(point, run.passes.back().quantities));
       table.push_back(row);
     }
     return without_empty_columns(table);

@@ -109,6 +109,19 @@ TEST(OutputPoints, LameOnCurvedSides)
   EXPECT_NEAR(inner["stress_yy"].get<double>(), p * (-.36 + 5. / 3. * .64), 1e-2 * p);
 }
 
+TEST(OutputPoints, SingularOnesAreWarnedOf)
+{
+  // The notch of an L and its other corners.
+  const Answer corner = run_scene("corner", {"Output/Points=(0, 0)"});
+  ASSERT_EQ(corner.status, 0) << corner.err;
+  EXPECT_EQ(warning_codes(corner).count("singular-stress"), 2u) << "the largest stress, and the point";
+  const Answer beside = run_scene("corner", {"Output/Points=(0.1, 0.1)"});
+  ASSERT_EQ(beside.status, 0) << beside.err;
+  EXPECT_EQ(warning_codes(beside).count("singular-stress"), 1u);
+  const Answer regular = run_scene("patch-test", {"Output/Points=lower: (0, 0); lower: (1, 1)"});
+  EXPECT_EQ(warning_codes(regular).count("singular-stress"), 0u);
+}
+
 TEST(OutputPoints, WrongOnesAreRefused)
 {
   expect_refused(run_scene("patch-test", {"Output/Points=(0.5, 3)"}),

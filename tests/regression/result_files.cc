@@ -233,7 +233,7 @@ TEST(ResultFiles, CsvFilesHaveTheColumnsOfThePage)
       answer_of({"schemes", rollers}, on_two_meshes),
       answer_of({"study", rollers, "--set", "Study/Variants=", "--set", "Study/Common=", "--set",
                  "Study/Crossed with=", "--set", "Study/Load cases=one: Constants/Values = 1e-3, 1e-3",
-                 "--set", "Study/Sweep=Discretisation/Degree = 1 | 2"},
+                 "--set", "Study/Sweep=Discretisation/Degree = 1 | 2", "--set", "Output/Points=(1, 0.5)"},
                 on_two_meshes),
       run({"reproduce", paper, "--set", "Adaptation/Limit=0.5", "--set",
            "Study/Variants=0.4: Adaptation/Limit=0.4"}),

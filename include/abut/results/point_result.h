@@ -9,6 +9,7 @@ namespace abut
   struct PointResult
   {
     const Body *body = nullptr;
+    std::size_t number = 0; ///< among the scene's points, from 1
     Vector2 place = Vector2::Zero();
     Vector2 displacement = Vector2::Zero();
     Stress stress; ///< mean over the cells that meet there

@@ -17,10 +17,19 @@ namespace abut
     double contact_length = 0.; ///< of what presses
   };
 
+  /// What a solution says at a point.
+  struct PointQuantities
+  {
+    std::string name; ///< of the body and the point's number: `beam_1`
+    double von_mises = 0.;
+    Vector2 displacement = Vector2::Zero();
+  };
+
   /// What a study asks of a solution, in the user's units.
   struct Quantities
   {
     std::vector<ContactQuantities> contacts;
+    std::vector<PointQuantities> points;
     double max_von_mises = 0.; ///< over the output points of all bodies
     double strain_energy = 0.; ///< of all bodies
 
@@ -39,5 +48,8 @@ namespace abut
 
   const std::vector<NamedQuantity> &named_quantities();
 
+  std::vector<PointQuantities> quantities_at(const std::vector<PointResult> &points);
+
+  /// All but those at points.
   Quantities quantities_of(const Solution &solution);
 } // namespace abut

@@ -19,6 +19,9 @@ namespace abut
   /// The contacts of all variants.
   std::vector<std::string> contact_names(const std::vector<StudyRun> &runs);
 
+  /// The points of all variants, by body and number.
+  std::vector<std::string> point_names(const std::vector<StudyRun> &runs);
+
   /// Of the swept parameters those whose values differ in one number (number_that_differs).
   std::vector<Sweep> sweeps(const std::vector<StudyRun> &runs);
 

@@ -64,6 +64,19 @@ namespace abut
             << html_percent(found.moments, 2) << ".</p>\n";
     }
 
+    void write_points(std::ostream &out, const std::vector<PointResult> &points)
+    {
+      HtmlTable table{
+          "Points", {"body", "x", "y", "displacement x", "displacement y", "von Mises stress"}, {}};
+      for (const PointResult &point : points)
+        table.rows.push_back({xml_text(point.body->name()), html_number(point.place.x()),
+                              html_number(point.place.y()), html_number(point.displacement.x(), 6),
+                              html_number(point.displacement.y(), 6),
+                              html_number(point.stress.von_mises(), 5)});
+      if (!table.rows.empty())
+        write_table(out, table);
+    }
+
     void write_budget(std::ostream &out, const PassRecord &pass, const bool has_contact)
     {
       const ErrorBudget &budget = pass.budget;
@@ -113,6 +126,7 @@ namespace abut
     write_contact_table(out, results.pairs);
     write_forces(out, results);
     write_body_table(out, results.bodies);
+    write_points(out, results.points);
     out << "<div class=\"beside\">\n<div>\n";
     write_budget(out, results.passes.empty() ? PassRecord() : results.passes.back(), !results.pairs.empty());
     out << "</div>\n<div>\n";

@@ -84,6 +84,7 @@ namespace abut
       return {"points.csv",
               "A row for each of Output/Points and each body that has it; there is no file without points",
               {{"body", "", "as in the parameter file"},
+               {"number", "", "of the point in the list, from 1"},
                {"x", "length", "place in the plane, on the undeformed body, along x"},
                {"y", "length", "and along y"},
                {"displacement_x", "length", "there, along x"},

@@ -81,6 +81,9 @@ namespace abut
               {"contact_force_<pair>", "force / thickness", "normal force of one contact"},
               {"max_pressure_<pair>", "stress", "its largest reported pressure"},
               {"contact_length_<pair>", "length", "of what presses there"},
+              {"von_mises_<body>_<number>", "stress", "at a point of Output/Points, by body and number"},
+              {"displacement_x_<body>_<number>", "length", "there, along x"},
+              {"displacement_y_<body>_<number>", "length", "and along y"},
               {"load_case", "", "its name, where the study has load cases"},
               {"<Section/Name>", "as the parameter", "value of a swept parameter, in quotation marks"}};
     }

@@ -109,6 +109,7 @@ namespace abut
       return {
           {"points", "list", "", "the solution at Output/Points: of each, every body that has it"},
           {"points[].body", "text", "", "as in the parameter file"},
+          {"points[].number", "count", "", "of the point in the list, from 1"},
           {"points[].place", "vector", "length", "on the undeformed body"},
           {"points[].displacement", "vector", "length", "there"},
           {"points[].stress_xx", "number", "stress", "mean over the cells that meet there, tension positive"},

@@ -42,6 +42,9 @@ namespace abut
   /// All of the above but the input, of a solved scene.
   Warnings result_warnings(const Solution &solution);
 
+  /// Of points that the scene names: the exact stress is infinite there.
+  Warnings output_point_warnings(const std::vector<PointResult> &points);
+
   /// Parameters that the chosen scheme takes no notice of.
   Warnings scheme_warnings(const Scene &scene);
 
