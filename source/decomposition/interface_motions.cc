@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/user_error.h>
 #include <abut/decomposition/interface_motions.h>
+#include <abut/decomposition/refused_motion.h>
 #include <abut/decomposition/schemes/nonnegative_fit.h>
 
 #include <deal.II/base/exceptions.h>
@@ -21,6 +21,7 @@ namespace abut
 
     constexpr double unnoticed = 1e-3; // gap per displacement: discs have less from rounding their curve
     constexpr double balanced = 1e-7;  // of the loads
+    constexpr double summing = 1e-12;  // round-off of a resultant, of the sizes that it adds
 
     /// The square root of the length that the contact sides of each motion's body have; 1 without any.
     Eigen::VectorXd side_scales(const InterfaceProblem &problem, const InterfaceMotions &motions)
@@ -92,20 +93,6 @@ namespace abut
               solver.eigenvalues().head(n).cwiseMax(0.).cwiseSqrt()};
     }
 
-    [[noreturn]] void refuse(const InterfaceMotions &motions, const Eigen::VectorXd &unbalanced,
-                             const std::string &why)
-    {
-      Index worst = 0;
-      unbalanced.cwiseAbs().maxCoeff(&worst);
-      std::ostringstream text;
-      text.precision(6);
-      text << motions.names[static_cast<std::size_t>(worst)] << " is held by contact alone, and " << why
-           << ": a resultant of " << unbalanced[worst]
-           << " along it stays unbalanced (force, or moment over the body's extent); change the loads or add "
-              "a displacement condition";
-      throw UserError(text.str());
-    }
-
     /// All amplitudes but as many as there are loose motions, those that take part in them most.
     std::vector<Index> without_loose(const Eigen::MatrixXd &loose, const Index n)
     {
@@ -164,7 +151,9 @@ namespace abut
       AssertDimension(of_body[a].names.size(), static_cast<std::size_t>(size));
       motions.responses.middleCols(first, size) = problem.response_of(a, of_body[a].traces);
       motions.stiffness.block(first, first, size, size) = of_body[a].stiffness;
-      motions.loads.segment(first, size) = of_body[a].loads;
+      const Eigen::VectorXd &loads = of_body[a].loads;
+      motions.loads.segment(first, size) =
+          (loads.array().abs() > summing * of_body[a].load_size).select(loads, 0.);
       for (const std::string &name : of_body[a].names)
         motions.names.push_back("Body " + problem.bodies()[a]->name() + ": " + name);
     }
@@ -185,28 +174,43 @@ namespace abut
       return largest;
     }
 
+    /// What of the loads acts along loose motions, as a motion: of one body where that is loose by itself.
+    Eigen::VectorXd load_along(const InterfaceMotions &motions, const Eigen::MatrixXd &loose)
+    {
+      constexpr double same = 1e-2;
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(loose);
+      const Eigen::VectorXd along = loose * fit.solve(motions.loads);
+      Index worst = 0;
+      along.cwiseAbs().maxCoeff(&worst);
+      const std::size_t body = motions.body_of(worst);
+      Eigen::VectorXd own = Eigen::VectorXd::Zero(along.size());
+      const auto range = Eigen::seq(motions.offsets[body], motions.offsets[body + 1] - 1);
+      own(range) = along(range);
+      return (loose * fit.solve(own) - own).norm() < same * own.norm() ? own : along;
+    }
+
     /// The load on a motion that contact hardly notices, zero where it is round-off; refused where it is more
     /// than the rounding of a curve explains.
-    double small_load(const InterfaceMotions &motions, const Eigen::VectorXd &loose,
-                      const double noticed_share)
+    double small_load(const InterfaceProblem &problem, const InterfaceMotions &motions,
+                      const LooseMotions &loose, const Index k)
     {
       constexpr double round_off = 1e-9; // of the largest load
-      const double load = loose.dot(motions.loads), largest = largest_load(motions, loose);
+      const Eigen::VectorXd motion = loose.motions.col(k);
+      const double load = motion.dot(motions.loads), largest = largest_load(motions, motion);
       if (std::abs(load) <= round_off * largest)
         return 0.;
-      if (std::abs(load) > 10. * noticed_share * largest)
-        refuse(motions, load * loose, "no contact resists this motion");
+      if (std::abs(load) > 10. * loose.noticed[k] * largest)
+        refuse_motion(problem, motions, load_along(motions, loose.motions), "no contact resists this motion");
       return load;
     }
 
     /// What is said of a load that is left out.
-    std::string dropped_load(const InterfaceMotions &motions, const Eigen::VectorXd &loose, const double load)
+    std::string dropped_load(const InterfaceProblem &problem, const InterfaceMotions &motions,
+                             const Eigen::VectorXd &loose, const double load)
     {
-      Index worst = 0;
-      loose.cwiseAbs().maxCoeff(&worst);
       std::ostringstream text;
       text.precision(3);
-      text << motions.names[static_cast<std::size_t>(worst)]
+      text << words_of(problem, motions, loose)
            << " hardly changes a gap (the straight edges of a round side's mesh do as much): a resultant of "
            << load << " along it (force, or moment over the body's extent), "
            << 100. * std::abs(load) / largest_load(motions, loose)
@@ -235,7 +239,7 @@ namespace abut
       Eigen::VectorXd unbalanced = Eigen::VectorXd::Zero(motions.size());
       unbalanced(floating) = rest;
       if (fit.optimal && (rest.array().abs() > balanced * sizes.array() + round_off).any())
-        refuse(motions, unbalanced, "no pressures that push balance the loads");
+        refuse_motion(problem, motions, unbalanced, "no pressures that push balance the loads");
     }
   } // namespace
 
@@ -252,10 +256,10 @@ namespace abut
                            loose_motions(noticed_by_own_normals(problem, motions, scales), scales);
     HeldMotions held;
     for (Index k = 0; k < by_gaps.noticed.size(); ++k)
-      if (const double load = small_load(motions, by_gaps.motions.col(k), by_gaps.noticed[k]); load != 0.)
-        held.dropped_loads.push_back(dropped_load(motions, by_gaps.motions.col(k), load));
+      if (const double load = small_load(problem, motions, by_gaps, k); load != 0.)
+        held.dropped_loads.push_back(dropped_load(problem, motions, by_gaps.motions.col(k), load));
     for (Index k = 0; k < by_own_normals.noticed.size(); ++k)
-      small_load(motions, by_own_normals.motions.col(k), by_own_normals.noticed[k]);
+      small_load(problem, motions, by_own_normals, k);
     held.indices = without_loose(by_gaps.motions, motions.size());
     check_balance(problem, motions, held.indices);
     return held;

@@ -75,3 +75,50 @@ TEST(RefusedScenes, ABodyThatMerelyTouchesStays)
   ASSERT_EQ(answer.status, 0) << answer.err;
   EXPECT_EQ(contact(answer, "joint")["normal_force"].get<double>(), 0.);
 }
+
+namespace
+{
+  /// A pin in the bore of a plate.
+  std::string pin_in_plate(const std::string &of_plate, const std::string &of_pin)
+  {
+    return "set Bodies = plate, pin\nset Contacts = bore\n"
+           "subsection Body plate\n set Shape = ring\n set Size = 10.05, 30\n set Cells = 32, 8\n"
+           " set Young modulus = 7e4\n" +
+           of_plate + "\nend\nsubsection Body pin\n set Shape = disc\n set Size = 10\n set Cells = 32, 8\n" +
+           " set Young modulus = 2.1e5\n" + of_pin +
+           "\nend\nsubsection Contact bore\n set Slave = pin:outer\n set Master = plate:inner\nend\n";
+  }
+
+  const std::string held = " set Conditions = outer: displacement: 0, 0",
+                    held_pin = " set Conditions = (0, 0): displacement: 0, 0; (5, 0): displacement: 0, 0",
+                    weight = " set Body force = 0, -1";
+} // namespace
+
+// Whichever of the two is loaded, what is missing is a support of the plate or of the pin.
+TEST(RefusedScenes, BodiesThatFallTogetherAreNamedTogether)
+{
+  const std::vector<std::string> both = {"Body plate: translation along (0, 1)", "together with",
+                                         "Body pin: translation along (0, 1)", "give one of them"};
+  expect_refused(run_text(pin_in_plate(weight, "")), both);
+  expect_refused(run_text(pin_in_plate("", weight)), both);
+  for (const Answer &answer :
+       {run_text(pin_in_plate(held, weight)), run_text(pin_in_plate(weight, held_pin))})
+    EXPECT_EQ(answer.status, 0) << answer.err;
+}
+
+// Round the bore's centre no normal resists: the weight acts beside it, by its moment about that centre.
+TEST(RefusedScenes, APinBesideTheAxisOfItsBoreIsToldWhatItSlidesRound)
+{
+  expect_refused(run_text(pin_in_plate(held, weight + "\n set Shift = 0.02, 0")),
+                 {"Body pin: rotation about (0, 0)", "no contact resists", "place the body (Shift)"});
+  const Answer below = run_text(pin_in_plate(held, weight + "\n set Shift = 0, -0.02"));
+  EXPECT_EQ(below.status, 0) << below.err;
+}
+
+// Its resultant is round-off beside what adds up to it.
+TEST(RefusedScenes, ALoadThatBalancesItselfIsNoLoad)
+{
+  const Answer answer = run_text(pin_in_plate(" set Conditions = outer: pressure: 1", held_pin));
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{"nothing-touches"}) << answer.err;
+}

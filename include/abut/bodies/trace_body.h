@@ -29,6 +29,8 @@ namespace abut
     Eigen::MatrixXd stiffness; ///< zero for rigid motions
     Eigen::VectorXd loads;     ///< what the body's loads, supports and given force do on the motions
     std::vector<std::string> names;
+    double load_size =
+        0.; ///< of all loads, without regard to their signs: beside it a resultant is round-off
   };
 
   /**

@@ -21,7 +21,7 @@ namespace abut
   {
     Eigen::MatrixXd responses;         ///< what unit amplitudes add to a response; the first rows are G
     Eigen::MatrixXd stiffness;         ///< H, block by block
-    Eigen::VectorXd loads;             ///< e
+    Eigen::VectorXd loads;             ///< e; zero where it is the round-off of what adds up to it
     std::vector<std::string> names;    ///< "Body disc: rotation about (0, 1)"
     std::vector<Eigen::Index> offsets; ///< of each body's first amplitude, and their number at the end
 
@@ -53,7 +53,7 @@ namespace abut
    * amplitude stays an unknown, so that moments balance; loads on it are refused like those above.
    *
    * Throws UserError with the unbalanced resultant where larger loads act on it, or where no pressures p >= 0
-   * balance the loads of floating bodies.
+   * balance the loads of floating bodies. It names all bodies that have to move together.
    */
   HeldMotions held_motions(const InterfaceProblem &problem, const InterfaceMotions &motions);
 } // namespace abut

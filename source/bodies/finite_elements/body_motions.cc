@@ -10,7 +10,7 @@ namespace abut
   {
     const Eigen::Index n_free = floating_.size(), n = n_free + (resultant_ ? 1 : 0);
     BodyMotions result{Eigen::MatrixXd(trace_size(), n), Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd(n),
-                       free_rigid_motions_};
+                       free_rigid_motions_, load_.lpNorm<1>()};
     if (n_free > 0)
     {
       result.traces.leftCols(n_free) = trace_to_free_.transpose() * floating_.reduced();

@@ -118,7 +118,7 @@ namespace abut
   {
     const Index n_free = free_modes_.cols(), n = n_free + (resultant_ ? 1 : 0);
     BodyMotions result{Eigen::MatrixXd(trace_size(), n), Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd(n),
-                       free_rigid_motions_};
+                       free_rigid_motions_, load_.lpNorm<1>()};
     for (Index k = 0; k < n_free; ++k)
       result.traces.col(k) = trace_of(free_modes_.col(k));
     result.loads.head(n_free) = free_modes_.transpose() * load_;
