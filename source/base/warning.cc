@@ -30,7 +30,10 @@ namespace abut
                                                  WarningCode::default_material,
                                                  WarningCode::point_support,
                                                  WarningCode::singular_pressure,
-                                                 WarningCode::lost_volume};
+                                                 WarningCode::lost_volume,
+                                                 WarningCode::unpaired_overlap,
+                                                 WarningCode::body_without_contact,
+                                                 WarningCode::coarse_mesh};
     return all;
   }
 
@@ -90,6 +93,12 @@ namespace abut
       return "singular-pressure";
     case WarningCode::lost_volume:
       return "lost-volume";
+    case WarningCode::unpaired_overlap:
+      return "unpaired-overlap";
+    case WarningCode::body_without_contact:
+      return "body-without-contact";
+    case WarningCode::coarse_mesh:
+      return "coarse-mesh";
     }
     return "unknown";
   }

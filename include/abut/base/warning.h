@@ -35,7 +35,10 @@ namespace abut
     default_material,
     point_support,
     singular_pressure,
-    lost_volume
+    lost_volume,
+    unpaired_overlap,
+    body_without_contact,
+    coarse_mesh
   };
 
   /// All of them, in the order above.

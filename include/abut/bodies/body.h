@@ -30,6 +30,14 @@ namespace abut
     unsigned int mortars = 0; ///< couplings of two sides inside the body
   };
 
+  /// A side of a body as a curve, whether or not the scene names it.
+  struct BoundarySide
+  {
+    std::vector<std::string> names; ///< that the scene may call it by; empty: it has none
+    Trace curve;                    ///< its unknowns are those of the body's fields
+    bool is_glued = false;          ///< to another side of the body
+  };
+
   /// Seconds of `Body::prepare`.
   struct PreparationTimes
   {
@@ -77,6 +85,8 @@ namespace abut
     virtual unsigned int mesh_version() const = 0;
     virtual std::vector<CellInfo> cells() const = 0; ///< by active cell index
     virtual MeshQuality mesh_quality() const = 0;
+    /// All its sides: together they are the closed curves around it.
+    virtual std::vector<BoundarySide> boundary() const = 0;
     /// Cells with a glued edge that more than two others lie opposite.
     virtual std::vector<unsigned int> crowded_cells() const = 0;
     /// Where the exact stress may be infinite.

@@ -14,6 +14,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <map>
 #include <ostream>
 
 namespace abut
@@ -44,6 +45,26 @@ namespace abut
       cells.push_back(std::move(info));
     }
     return cells;
+  }
+
+  std::vector<BoundarySide> FiniteElementBody::boundary() const
+  {
+    std::map<dealii::types::boundary_id, std::vector<std::string>> names;
+    for (const dealii::types::boundary_id id : space_->mesh().triangulation.get_boundary_ids())
+      names[id];
+    for (const auto &[name, id] : space_->mesh().boundaries)
+      if (const auto side = names.find(id); side != names.end())
+        side->second.push_back(name);
+    std::vector<BoundarySide> sides;
+    for (const auto &[id, of_side] : names)
+    {
+      const auto &glued = space_->glued_sides();
+      sides.push_back({of_side, space_->trace(id),
+                       std::any_of(glued.begin(), glued.end(), [&, at = id](const GluedSides &pair) {
+                         return pair.slave == at || pair.master == at;
+                       })});
+    }
+    return sides;
   }
 
   MeshQuality FiniteElementBody::mesh_quality() const

@@ -221,6 +221,14 @@ namespace abut
     return {none, none, none};
   }
 
+  std::vector<BoundarySide> RigidBody::boundary() const
+  {
+    std::vector<BoundarySide> sides;
+    for (const std::string &side : outline_.side_names())
+      sides.push_back({{side}, outline_.side(side)});
+    return sides;
+  }
+
   void RigidBody::describe(std::ostream &out) const
   {
     out << "rigid, " << outline_.loops().size() << (outline_.loops().size() == 1 ? " curve" : " curves")

@@ -134,6 +134,33 @@ namespace abut
                   "of the scene is given: set " +
                   section + "/Young modulus"};
     }
+
+    /// Bodies that no contact names: each of them is a problem of its own.
+    Warnings lone_body_warnings(const Scene &scene)
+    {
+      if (scene.bodies.size() < 2)
+        return {};
+      if (scene.contacts.empty())
+        return {{WarningCode::body_without_contact,
+                 "The scene has " + std::to_string(scene.bodies.size()) +
+                     " bodies and no contact: each is computed by itself, they pass through each other; name "
+                     "the pairs in Contacts, or set Contacts = automatic"}};
+      Warnings warnings;
+      for (const BodyDescription &body : scene.bodies)
+        if (std::none_of(scene.contacts.begin(), scene.contacts.end(),
+                         [&](const ContactDescription &contact) {
+                           return contact.slave.body == body.name || contact.master.body == body.name;
+                         }))
+          warnings.push_back(
+              {WarningCode::body_without_contact,
+               "Body " + body.name +
+                   " is in no contact: it is computed by itself, the others pass through it; " +
+                   (scene.finds_contacts
+                        ? "raise Contact distance, or take the body out"
+                        : "name a pair with it in Contacts, set Contacts = automatic, or take "
+                          "the body out")});
+      return warnings;
+    }
   } // namespace
 
   Warnings input_warnings(const Scene &scene, const Model &model)
@@ -143,6 +170,8 @@ namespace abut
       warnings.push_back(repeated_warning(parameter));
     for (const std::string &section : scene.default_materials)
       warnings.push_back(default_material_warning(section));
+    append(warnings, lone_body_warnings(scene));
+    append(warnings, placed_overlap_warnings(scene, model));
     for (const auto &body : model.bodies())
       append(warnings, load_on_support_warnings(*body));
     for (const auto &body : model.bodies())

@@ -43,6 +43,7 @@ namespace abut
     unsigned int mesh_version() const override { return space_->n_meshes(); }
     std::vector<CellInfo> cells() const override;
     MeshQuality mesh_quality() const override;
+    std::vector<BoundarySide> boundary() const override;
     std::vector<unsigned int> crowded_cells() const override;
     std::vector<Vector2> singular_vertices() const override;
     std::string why_no_bound() const override;

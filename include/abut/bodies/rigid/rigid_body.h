@@ -44,6 +44,7 @@ namespace abut
     unsigned int mesh_version() const override { return 0; }
     std::vector<CellInfo> cells() const override { return {}; }
     MeshQuality mesh_quality() const override;
+    std::vector<BoundarySide> boundary() const override;
     std::vector<unsigned int> crowded_cells() const override { return {}; }
     std::vector<Vector2> singular_vertices() const override { return {}; }
     std::string why_no_bound() const override { return {}; }

@@ -39,7 +39,16 @@ namespace abut
   /// Of a scene none of whose pairs carries a force.
   Warnings touch_warnings(const std::vector<PairResult> &pairs);
 
-  /// All of the above but the input, of a solved scene.
+  /// Of bodies that overlap, as they are placed, where no pair joins them.
+  Warnings placed_overlap_warnings(const Scene &scene, const Model &model);
+
+  /// The same once displaced, of bodies that do not overlap before.
+  Warnings displaced_overlap_warnings(const Scene &scene, const Model &model, const Solution &solution);
+
+  /// Of a run that estimates nothing: whether its mesh is far too coarse.
+  Warnings coarse_mesh_warnings(const Results &results);
+
+  /// What `solution` says by itself: bodies, pairs and their pressures.
   Warnings result_warnings(const Solution &solution);
 
   /// Of points that the scene names: the exact stress is infinite there.
