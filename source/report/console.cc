@@ -6,7 +6,6 @@
 #include <abut/report/forces.h>
 #include <abut/report/summary.h>
 
-#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -46,20 +45,13 @@ namespace abut
       out << '\n' << aligned(table);
     }
 
-    /// Components that are round-off beside the largest one are shown as 0.
     void print_forces(std::ostream &out, const Results &results)
     {
-      constexpr double round_off = 1e-12;
       const std::vector<ForceOnBody> forces = forces_on_bodies(results);
-      double largest = 0.;
-      for (const ForceOnBody &force : forces)
-        largest = std::max(largest, force.force.cwiseAbs().maxCoeff());
-      const auto component = [&](const double value) {
-        return short_number(std::abs(value) > round_off * largest ? value : 0., 6);
-      };
       TextTable table = {{"force on", "from", "x", "y"}};
       for (const ForceOnBody &force : forces)
-        table.push_back({force.body, force.origin, component(force.force.x()), component(force.force.y())});
+        table.push_back(
+            {force.body, force.origin, short_number(force.force.x(), 6), short_number(force.force.y(), 6)});
       if (!forces.empty())
         out << '\n' << aligned(table);
       for (const Imbalance &found : imbalances(results))

@@ -16,7 +16,8 @@ namespace abut
     Vector2 force;
   };
 
-  /// Of every contact on its slave, the master gets the opposite; then of every support on its body.
+  /// Of every contact on its slave, the master gets the opposite; then of every support on its body;
+  /// what is round-off beside the largest component is 0.
   std::vector<ForceOnBody> forces_on_bodies(const Results &results);
 
   /// A body whose forces or moments do not balance up to round-off.
