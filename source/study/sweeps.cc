@@ -78,24 +78,29 @@ namespace abut
     return parameters;
   }
 
+  namespace
+  {
+    /// Of what all variants have in a list, each once.
+    template <typename Entry>
+    std::vector<std::string> names_in(const std::vector<StudyRun> &runs, std::vector<Entry> Quantities::*list)
+    {
+      std::vector<std::string> names;
+      for (const StudyRun &run : runs)
+        for (const StudyPass &pass : run.passes)
+          for (const Entry &entry : pass.quantities.*list)
+            add_once(names, entry.name);
+      return names;
+    }
+  } // namespace
+
   std::vector<std::string> contact_names(const std::vector<StudyRun> &runs)
   {
-    std::vector<std::string> names;
-    for (const StudyRun &run : runs)
-      for (const StudyPass &pass : run.passes)
-        for (const ContactQuantities &contact : pass.quantities.contacts)
-          add_once(names, contact.name);
-    return names;
+    return names_in(runs, &Quantities::contacts);
   }
 
   std::vector<std::string> point_names(const std::vector<StudyRun> &runs)
   {
-    std::vector<std::string> names;
-    for (const StudyRun &run : runs)
-      for (const StudyPass &pass : run.passes)
-        for (const PointQuantities &point : pass.quantities.points)
-          add_once(names, point.name);
-    return names;
+    return names_in(runs, &Quantities::points);
   }
 
   std::vector<Sweep> sweeps(const std::vector<StudyRun> &runs)
