@@ -13,6 +13,7 @@
 
 #include <abut/program/arguments.h>
 
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <iostream>
@@ -37,6 +38,15 @@ namespace
     return dlopen("libabut.so", RTLD_LAZY | RTLD_LOCAL);
   }
 
+  /// OpenBLAS starts its threads when it is opened, and each of them waits for work in a loop that keeps a
+  /// processor busy for a tenth of a second. After 2^10 cycles they sleep now, unless the user says
+  /// otherwise.
+  void let_idle_threads_sleep()
+  {
+    constexpr int keep = 0;
+    setenv("OPENBLAS_THREAD_TIMEOUT", "10", keep);
+  }
+
   using RunCommandLine = int(int argc, const char *const *argv);
 
   /// `abut_run_command_line` of libabut.so; null, with a message in dlerror(), where it cannot be had.
@@ -56,6 +66,7 @@ int main(const int argc, const char *const *argv)
   int status = 0;
   if (!abut::parse_arguments(argc, argv, status, std::cout, std::cerr))
     return status;
+  let_idle_threads_sleep();
   RunCommandLine *const run = load();
   if (run == nullptr)
   {
