@@ -126,7 +126,7 @@ def draw(rows):
         axis.set_xlabel(label)
         axis.set_ylabel("true error in %, energy norm")
         axis.grid(True, which="both", alpha=0.2)
-    axes[0].legend(loc="lower left")
+    axes[1].legend(loc="upper right")
     figure.tight_layout()
     figure.savefig(FIGURE, metadata={"Date": None})
 
