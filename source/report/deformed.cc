@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/executor.h>
 #include <abut/report/apart.h>
 #include <abut/report/deformed.h>
 
@@ -82,20 +83,6 @@ namespace abut
       return body;
     }
 
-    /// The displacement at a part's place.
-    Vector2 displacement_at(const Trace &side, const Part &part, const Eigen::VectorXd &displacement)
-    {
-      const Segment &segment = side.segments()[part.segment];
-      const Eigen::VectorXd values = side.basis().values(part.s);
-      Vector2 sum = Vector2::Zero();
-      for (std::size_t i = 0; i < segment.nodes.size(); ++i)
-      {
-        const auto &dofs = side.node_dofs()[segment.nodes[i]];
-        sum += values[static_cast<Eigen::Index>(i)] * Vector2(displacement[dofs[0]], displacement[dofs[1]]);
-      }
-      return sum;
-    }
-
     /// The parts of a pair, a contact for each stretch.
     void add_contacts(const PairResult &result, const Eigen::VectorXd &drawn, const Vector2 &shift,
                       std::vector<DrawnContact> &contacts)
@@ -110,9 +97,9 @@ namespace abut
         if (!goes_on)
           contacts.emplace_back();
         const Part &part = result.part(k);
-        contacts.back().nodes.push_back(part.place + displacement_at(*cut.trace, part, drawn) + shift);
-        contacts.back().normals.push_back(
-            Trace::averaged_normal(cut.trace->segments()[part.segment], part.s));
+        const Segment &segment = cut.trace->segments()[part.segment];
+        contacts.back().nodes.push_back(part.place + cut.trace->displacement(segment, part.s, drawn) + shift);
+        contacts.back().normals.push_back(Trace::averaged_normal(segment, part.s));
         contacts.back().pressures.push_back(result.pressures[static_cast<Eigen::Index>(k)]);
       }
     }
@@ -138,9 +125,11 @@ namespace abut
 
   DrawnScene deformed_scene(const Results &results)
   {
-    std::vector<Outlines> deformations;
-    for (const BodyResult &body : results.bodies)
-      deformations.push_back(outlines_of(*body.body, body.deformation));
+    const std::size_t n_bodies = results.bodies.size();
+    std::vector<Outlines> deformations(n_bodies);
+    for_each_body(n_bodies, [&](const std::size_t a) {
+      deformations[a] = outlines_of(*results.bodies[a].body, results.bodies[a].deformation);
+    });
 
     DrawnScene scene;
     scene.size = scene_size(deformations);
@@ -149,8 +138,10 @@ namespace abut
     for (const BodyResult &body : results.bodies)
       drawn.push_back(exaggerated(body, scene.exaggeration));
     const Polyline shifts = shifts_apart(results, drawn, scene.size);
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-      scene.bodies.push_back(drawn_body(results.bodies[i], drawn[i], shifts[i]));
+    scene.bodies.resize(n_bodies);
+    for_each_body(n_bodies, [&](const std::size_t a) {
+      scene.bodies[a] = drawn_body(results.bodies[a], drawn[a], shifts[a]);
+    });
     for (const PairResult &pair : results.pairs)
     {
       const std::size_t body = pair.pair->cut_side().body;

@@ -12,7 +12,7 @@ namespace abut
     const OutputPatches output =
         result.body->output_patches({result.displacement, result.deformation, result.eta, result.better});
     dealii::DataOutBase::VtkFlags flags;
-    flags.compression_level = dealii::DataOutBase::VtkFlags::default_compression;
+    flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
     std::ostringstream out;
     dealii::DataOutBase::write_vtu(output.patches, output.names, output.vectors, flags, out);
     return out.str();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/executor.h>
 #include <abut/base/stopwatch.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/contact_csv.h>
@@ -21,10 +22,9 @@ namespace abut
     {
       std::vector<std::string> files;
       for (const BodyResult &body : results.bodies)
-      {
         files.push_back("solution_" + body.body->name() + ".vtu");
-        write_file(directory / files.back(), vtu(body));
-      }
+      for_each_body(files.size(),
+                    [&](const std::size_t a) { write_file(directory / files[a], vtu(results.bodies[a])); });
       write_file(directory / "solution.pvd", pvd(files));
     }
 

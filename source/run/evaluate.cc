@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/executor.h>
 #include <abut/base/user_error.h>
 #include <abut/run/evaluate.h>
 
@@ -132,14 +133,14 @@ namespace abut
 
   void add_peaks(std::vector<BodyResult> &bodies)
   {
-    for (BodyResult &result : bodies)
-    {
+    for_each_body(bodies.size(), [&](const std::size_t a) {
+      BodyResult &result = bodies[a];
       result.peaks =
           find_peaks(*result.body, result.displacement, result.deformation, result.body->singular_vertices());
       if (!std::isfinite(result.energy) || !std::isfinite(result.peaks.von_mises.value))
         throw ComputationError(
             "Body " + result.body->name() +
             ": energy or stresses have left the range of the machine's numbers; change the units");
-    }
+    });
   }
 } // namespace abut

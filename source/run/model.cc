@@ -137,17 +137,19 @@ namespace abut
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
       for (Index c = 0; c < n_components; ++c)
         profiles.emplace_back(surfaces_[k], problem_->of_surface(k, state.pressures, c));
+    std::vector<unsigned int> versions_before;
+    for (const auto &body : bodies_)
+      versions_before.push_back(body->mesh_version());
+    for_each_body(bodies_.size(), [&](const std::size_t a) {
+      if (marks[a].any())
+        adapted.state.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
+    });
     for (std::size_t a = 0; a < bodies_.size(); ++a)
-    {
-      if (!marks[a].any())
-        continue;
-      const unsigned int version_before = bodies_[a]->mesh_version();
-      adapted.state.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
-      if (bodies_[a]->mesh_version() == version_before)
-        continue;
-      is_prepared_[a] = false;
-      adapted.some_mesh_changed = true;
-    }
+      if (bodies_[a]->mesh_version() != versions_before[a])
+      {
+        is_prepared_[a] = false;
+        adapted.some_mesh_changed = true;
+      }
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
       if (is_new(surfaces_[k]))
         surfaces_[k] = make_surface(groups_[k]);

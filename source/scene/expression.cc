@@ -35,7 +35,8 @@ namespace abut
         return "it has a comma outside parentheses";
       if (text.find(';') != std::string::npos)
         return "it has a semicolon";
-      if (std::regex_search(text, std::regex("(^|[^<>=!])=([^=]|$)")))
+      static const std::regex assignment("(^|[^<>=!])=([^=]|$)"); // one takes longer to build than to search
+      if (std::regex_search(text, assignment))
         return "it has an assignment, where == compares";
       return "";
     }
@@ -88,7 +89,8 @@ namespace abut
 
   bool Expression::is_constant() const
   {
-    return !std::regex_search(text_, std::regex("(^|[^A-Za-z0-9_.])[xy]($|[^A-Za-z0-9_])"));
+    static const std::regex coordinate("(^|[^A-Za-z0-9_.])[xy]($|[^A-Za-z0-9_])");
+    return !std::regex_search(text_, coordinate);
   }
 
   double constant_value(const std::string &text, const Constants &constants, const std::string &where)

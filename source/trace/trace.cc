@@ -115,6 +115,18 @@ namespace abut
     return combine(geometry_.derivatives(s), segment.points);
   }
 
+  Vector2 Trace::displacement(const Segment &segment, const double s, const Eigen::VectorXd &of_body) const
+  {
+    const Eigen::VectorXd values = basis_.values(s);
+    Vector2 sum = Vector2::Zero();
+    for (std::size_t i = 0; i < segment.nodes.size(); ++i)
+    {
+      const auto &dofs = node_dofs_[segment.nodes[i]];
+      sum += values[static_cast<Eigen::Index>(i)] * Vector2(of_body[dofs[0]], of_body[dofs[1]]);
+    }
+    return sum;
+  }
+
   Vector2 Trace::averaged_normal(const Segment &segment, const double s)
   {
     return ((1. - s) * segment.end_normals[0] + s * segment.end_normals[1]).normalized();

@@ -83,6 +83,8 @@ namespace abut
     Vector2 point(const Segment &segment, double s) const;
     /// d point / ds; its length is the Jacobian of arc length.
     Vector2 tangent(const Segment &segment, double s) const;
+    /// The displacement at a place, from those of the body's unknowns (see node_dofs).
+    Vector2 displacement(const Segment &segment, double s, const Eigen::VectorXd &of_body) const;
     /// The averaged outward unit normal: interpolated between those of the segment's ends.
     static Vector2 averaged_normal(const Segment &segment, double s);
 

@@ -2,6 +2,7 @@
 //
 // The stiffness of a body, its Cholesky factor, and what is solved with it.
 
+#include <abut/base/congruence.h>
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/finite_elements/assembly.h>
@@ -31,7 +32,7 @@ namespace abut
   void FiniteElementBody::factorise()
   {
     const auto &t = supports_.free_directions;
-    Eigen::SparseMatrix<double> reduced = t.transpose() * stiffness_ * t;
+    Eigen::SparseMatrix<double> reduced = lower_congruent(stiffness_, t);
     if (floating_.size() > 0)
       reduced = floating_.stiffened(reduced, "Body " + name());
     std::vector<int> last = contact_unknowns(trace_to_free_);

@@ -42,7 +42,7 @@ namespace abut
   {
     constexpr double not_free = 1e-8;
     const double largest = stiffness.diagonal().maxCoeff();
-    if ((stiffness * orthonormal_).cwiseAbs().maxCoeff() > not_free * largest)
+    if ((stiffness.selfadjointView<Eigen::Lower>() * orthonormal_).cwiseAbs().maxCoeff() > not_free * largest)
       throw UserError(name + ": the supports hold the body against a rigid motion by their curvature alone, "
                              "almost free; give it supports that hold it or leave the motion free");
     Eigen::SparseMatrix<double> result = stiffness;

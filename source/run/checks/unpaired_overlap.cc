@@ -26,20 +26,6 @@ namespace abut
       std::vector<SideSet> sides_at_start; ///< those that meet where the edge begins
     };
 
-    Vector2 displacement_at(const Trace &side, const Segment &segment, const double s,
-                            const Eigen::VectorXd &displacement)
-    {
-      Vector2 sum = Vector2::Zero();
-      if (displacement.size() == 0)
-        return sum;
-      const Eigen::VectorXd values = side.basis().values(s);
-      for (std::size_t i = 0; i < segment.nodes.size(); ++i)
-        for (const int c : {0, 1})
-          sum[c] += values[static_cast<Eigen::Index>(i)] *
-                    displacement[side.node_dofs()[segment.nodes[i]][static_cast<std::size_t>(c)]];
-      return sum;
-    }
-
     /// The sides that meet at a node, by its first unknown.
     std::map<unsigned int, SideSet> sides_at_nodes(const std::vector<BoundarySide> &sides)
     {
@@ -69,7 +55,9 @@ namespace abut
               const double s =
                   (static_cast<double>(k) + .5 * static_cast<double>(j)) / static_cast<double>(n);
               from[j] = curve.point(segment, s);
-              to[j] = from[j] + displacement_at(curve, segment, s, displacement);
+              to[j] = from[j];
+              if (displacement.size() > 0)
+                to[j] += curve.displacement(segment, s, displacement);
             }
             // A chord for a curve, and what a rotation adds to a displacement that is linear in it.
             const double sagitta = (to[1] - .5 * (to[0] + to[2])).norm(),
