@@ -27,7 +27,7 @@ namespace abut
           const double s = piece.start + (piece.end - piece.start) * i / lines_per_piece;
           const double arc = piece.arc + (s - piece.start) * segment.length;
           const Vector2 place = cut.point(segment, s);
-          return Eigen::Vector3d(place.x(), place.y(), partition.along(pair.pressures, piece.part, arc));
+          return Eigen::Vector3d(place.x(), place.y(), pair.curve->at(piece.part, arc));
         };
         for (int i = 0; i < lines_per_piece; ++i)
         {

@@ -51,7 +51,6 @@ namespace abut
       const GaussRule rule(8);
       const Trace &cut = *pair.pair->cut_side().trace;
       const Partition &partition = pair.surface->partition();
-      AssertDimension(pair.pressures.size(), static_cast<Eigen::Index>(partition.parts().size()));
       Assert(pair.pressures.allFinite(), dealii::ExcMessage("contact pressures are finite"));
       double error = 0., norm = 0.;
       for (const Piece &piece : partition.pieces())
@@ -63,7 +62,7 @@ namespace abut
         {
           const double s = piece.start + (piece.end - piece.start) * rule.points[q];
           const double arc = piece.arc + (s - piece.start) * segment.length;
-          const double computed = partition.along(pair.pressures, piece.part, arc);
+          const double computed = pair.curve->at(piece.part, arc);
           const double exact = exact_pressure(placement.point_to_own(cut.point(segment, s)));
           const double weight = rule.weights[q] * (piece.end - piece.start) * cut.tangent(segment, s).norm();
           error += weight * (computed - exact) * (computed - exact);

@@ -34,7 +34,8 @@ namespace abut
     /// Pressures and forces of all parts.
     void add_loads(const ContactPair &pair, PairResult &result)
     {
-      result.pressures = result.surface->partition().reported_pressures(result.loads);
+      result.curve.emplace(result.surface->partition(), result.loads, pair.penalty() == 0.);
+      result.pressures = result.curve->at_places();
       const Eigen::VectorXd forces = pair.slave_coupling().transpose() * result.loads;
       for (Index i = 0; i < forces.size(); i += 2)
         result.force += forces.segment<2>(i);
@@ -57,6 +58,9 @@ namespace abut
         result.contact_length += pressed[k] ? pair.weights()[i] : 0.;
         result.min_gap = std::min(result.min_gap, result.gaps[i]);
       }
+      for (const ContactEnd &end : result.curve->ends())
+        if (pair.weights()[static_cast<Index>(end.parts.front())] > 0.)
+          result.contact_length += end.beyond;
       result.max_penetration = std::max(0., -result.min_gap);
       return pressed;
     }

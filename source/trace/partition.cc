@@ -119,6 +119,13 @@ namespace abut
     return {side, piece.cut_segment, s, segment.arc_start + s * segment.length, cut.point(segment, s)};
   }
 
+  const Stretch &Partition::stretch_of(const std::size_t part) const
+  {
+    AssertIndexRange(part, parts_.size());
+    return *std::find_if(stretches_.begin(), stretches_.end(),
+                         [&](const Stretch &stretch) { return part < stretch.last; });
+  }
+
   std::vector<std::vector<std::size_t>> Partition::neighbours() const
   {
     std::vector<std::vector<std::size_t>> result(parts_.size());

@@ -13,65 +13,6 @@ namespace abut
 {
   namespace
   {
-    const Stretch &stretch_of(const std::vector<Stretch> &stretches, const std::size_t part)
-    {
-      return *std::find_if(stretches.begin(), stretches.end(),
-                           [&](const Stretch &stretch) { return part < stretch.last; });
-    }
-
-    /// The polyline through values at the places of one stretch.
-    class PlacePolyline
-    {
-    public:
-      PlacePolyline(const Partition &partition, const Eigen::VectorXd &values, const std::size_t part)
-          : partition_(partition), values_(values), stretch_(stretch_of(partition.stretches(), part))
-      {}
-
-      /// The value at `arc`, which lies between the places of the neighbours of `part`.
-      double at(const std::size_t part, const double arc) const
-      {
-        const bool before = arc < place(part, 0);
-        const auto other = neighbour(part, before ? -1 : 1);
-        if (!other)
-          return value(part);
-        const double here = place(part, 0), there = place(other->first, other->second);
-        const double share = there != here ? (arc - here) / (there - here) : 0.;
-        return (1. - share) * value(part) + share * value(other->first);
-      }
-
-    private:
-      /// The next part in a direction, and how often the stretch was gone round.
-      std::optional<std::pair<std::size_t, int>> neighbour(const std::size_t part, const int direction) const
-      {
-        if (direction < 0 && part > stretch_.first)
-          return std::pair(part - 1, 0);
-        if (direction > 0 && part + 1 < stretch_.last)
-          return std::pair(part + 1, 0);
-        if (!stretch_.closed || stretch_.last - stretch_.first < 2)
-          return {};
-        return std::pair(direction < 0 ? stretch_.last - 1 : stretch_.first, direction);
-      }
-      double place(const std::size_t part, const int rounds) const
-      {
-        return partition_.parts()[part].place_arc + rounds * stretch_.length;
-      }
-      double value(const std::size_t part) const { return values_[static_cast<Eigen::Index>(part)]; }
-
-      const Partition &partition_;
-      const Eigen::VectorXd &values_;
-      const Stretch &stretch_;
-    };
-  } // namespace
-
-  double Partition::along(const Eigen::VectorXd &values, const std::size_t part, const double arc) const
-  {
-    AssertDimension(values.size(), static_cast<Eigen::Index>(parts_.size()));
-    AssertIndexRange(part, parts_.size());
-    return PlacePolyline(*this, values, part).at(part, arc);
-  }
-
-  namespace
-  {
     /// The shares in a part's mean of the polyline through the loads, which stand at the parts' middles and
     /// the ends of stretches.
     void add_polyline_mean(const Partition &partition, const std::size_t part,
@@ -88,7 +29,7 @@ namespace abut
         shares.emplace_back(static_cast<int>(part), static_cast<int>(neighbour), share);
         own -= share;
       };
-      const Stretch &stretch = stretch_of(partition.stretches(), part);
+      const Stretch &stretch = partition.stretch_of(part);
       const auto place = [&](const std::size_t k) {
         const Part &at = partition.parts()[k];
         const bool alone = stretch.last - stretch.first == 1;
@@ -189,7 +130,7 @@ namespace abut
       /// From the middle of a part to a place within another one of its stretch, the short way round.
       double distance(const std::size_t part, const std::size_t other, const double arc) const
       {
-        const Stretch &stretch = stretch_of(partition_.stretches(), other);
+        const Stretch &stretch = partition_.stretch_of(other);
         const double ahead = arc - middle(part);
         return stretch.closed ? std::remainder(ahead, stretch.length) : ahead;
       }

@@ -31,14 +31,17 @@ namespace
     return roller_layers::approach * (1. + 1.6 * position * roller_layers::length / row.columns / positions);
   }
 
-  Errors errors_of(const Row &row, const double approach)
+  SolvedScene solved(const Row &row, const double approach)
   {
     const std::string cells = std::to_string(row.columns) + ", " + std::to_string(row.columns / 4);
-    const SolvedScene scene(
-        "two-layers-rollers.prm",
-        {"Discretisation/Degree=" + std::to_string(row.degree), "Body upper/Cells=" + cells,
-         "Body lower/Cells=" + cells,
-         "Constants/Values=" + digits_of(roller_layers::curvature) + ", " + digits_of(approach)});
+    return {"two-layers-rollers.prm",
+            {"Discretisation/Degree=" + std::to_string(row.degree), "Body upper/Cells=" + cells,
+             "Body lower/Cells=" + cells,
+             "Constants/Values=" + digits_of(roller_layers::curvature) + ", " + digits_of(approach)}};
+  }
+
+  Errors errors_of(const SolvedScene &scene, const double approach)
+  {
     const abut::PairResult &pair = scene.pair();
     std::size_t middle = 0;
     for (const std::size_t k : pair.parts)
@@ -49,6 +52,13 @@ namespace
     return {{std::abs(errors.force.value()),
              std::abs(pair.pressures[static_cast<Eigen::Index>(middle)] / expected - 1.),
              errors.pressure.value(), errors.stress.value()}};
+  }
+
+  /// Of the contact length, by a segment's length through the degree: what a part is long.
+  double error_of_length(const SolvedScene &scene, const Row &row, const double approach)
+  {
+    return std::abs(scene.pair().contact_length - roller_layers::exact(approach).half_width()) /
+           (roller_layers::length / row.columns / row.degree);
   }
 
   void print(const std::string &name, const Errors &errors)
@@ -66,9 +76,13 @@ namespace
   {
     const Row row = GetParam();
     Errors largest{};
+    double length = 0.;
     for (unsigned int position = 0; position < positions; ++position)
     {
-      const Errors errors = errors_of(row, approach_of(row, position));
+      const double approach = approach_of(row, position);
+      const SolvedScene scene = solved(row, approach);
+      const Errors errors = errors_of(scene, approach);
+      length = std::max(length, error_of_length(scene, row, approach));
       for (std::size_t i = 0; i < errors.size(); ++i)
       {
         EXPECT_TRUE(std::isfinite(errors[i]));
@@ -81,6 +95,9 @@ namespace
     print("parts", largest);
     for (std::size_t i = 0; i < largest.size(); ++i)
       EXPECT_LE(largest[i], 1.3 * row.dual[i]) << "error " << i;
+    std::cout << "  contact length: within " << length << " of a part\n";
+    EXPECT_LE(length, .2); // whole parts would be within one
+    EXPECT_LE(largest[2], .9 * row.dual[2]) << "the pressure has the square root at its end";
   }
 
   INSTANTIATE_TEST_SUITE_P(MatchingLayers, ContactEnd,

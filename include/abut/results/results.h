@@ -15,6 +15,7 @@
 #include <abut/results/point_result.h>
 #include <abut/results/times.h>
 #include <abut/scene/scene.h>
+#include <abut/trace/pressure_curve.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -46,20 +47,22 @@ namespace abut
   {
     const ContactPair *pair = nullptr;
     const ContactSurface *surface = nullptr;
-    std::vector<std::size_t> parts;  ///< of the pair, along the cut side
-    Eigen::VectorXd gaps;            ///< mean gap of every part, negative: penetration
-    Eigen::VectorXd loads;           ///< p_k >= 0, in balance with the displacement
-    double round_off = 0.;           ///< a load that is none, beside those of all pairs
-    Eigen::VectorXd pressures;       ///< as reported (see Partition)
-    Vector2 force = Vector2::Zero(); ///< resultant on the slave side
-    double normal_force = 0.;        ///< sum of D_k p_k
-    double max_pressure = 0.;        ///< largest reported pressure
-    double contact_length = 0.;      ///< sum of D_k over the parts with a load, or that penetrate
-    double max_penetration = 0.;     ///< largest -g_k, 0 without contact
-    double min_gap = 0.;             ///< smallest g_k
-    NearestPoint nearest;            ///< smallest gap at a point
-    Eigen::VectorXd sliding;         ///< mean of every part, see ContactPair::sliding
-    double max_sliding = 0.;         ///< largest size over the parts that press
+    std::vector<std::size_t> parts;     ///< of the pair, along the cut side
+    Eigen::VectorXd gaps;               ///< mean gap of every part, negative: penetration
+    Eigen::VectorXd loads;              ///< p_k >= 0, in balance with the displacement
+    double round_off = 0.;              ///< a load that is none, beside those of all pairs
+    Eigen::VectorXd pressures;          ///< as reported, at the parts' places (see PressureCurve)
+    std::optional<PressureCurve> curve; ///< the same between them
+    Vector2 force = Vector2::Zero();    ///< resultant on the slave side
+    double normal_force = 0.;           ///< sum of D_k p_k
+    double max_pressure = 0.;           ///< largest reported pressure
+    double contact_length =
+        0.; ///< sum of D_k over the parts with a load, or that penetrate, up to the ends that `curve` knows
+    double max_penetration = 0.; ///< largest -g_k, 0 without contact
+    double min_gap = 0.;         ///< smallest g_k
+    NearestPoint nearest;        ///< smallest gap at a point
+    Eigen::VectorXd sliding;     ///< mean of every part, see ContactPair::sliding
+    double max_sliding = 0.;     ///< largest size over the parts that press
     /// The gaps and the sliding that the bodies' rigid motions alone make.
     Eigen::VectorXd rigid_gaps, rigid_sliding;
     /// Overlap far from any part that presses: contact smaller than a part.

@@ -57,6 +57,7 @@ namespace abut
     const std::vector<Piece> &pieces() const { return pieces_; }
     const std::vector<Part> &parts() const { return parts_; }
     const std::vector<Stretch> &stretches() const { return stretches_; }
+    const Stretch &stretch_of(std::size_t part) const;
     /// The neighbours of every part in its stretch: none, one or two.
     std::vector<std::vector<std::size_t>> neighbours() const;
 
@@ -68,9 +69,6 @@ namespace abut
      * never negative: what shape functions of higher degree make so at the end of contact is cut off.
      */
     Eigen::VectorXd reported_pressures(const Eigen::VectorXd &loads) const;
-
-    /// The polyline through values at the parts' places, at a place of the surface within a part.
-    double along(const Eigen::VectorXd &values, std::size_t part, double arc) const;
 
   private:
     void add_stretch(const std::vector<Run> &runs, const std::vector<Atom> &atoms,
