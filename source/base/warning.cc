@@ -33,7 +33,8 @@ namespace abut
                                                  WarningCode::lost_volume,
                                                  WarningCode::unpaired_overlap,
                                                  WarningCode::body_without_contact,
-                                                 WarningCode::coarse_mesh};
+                                                 WarningCode::coarse_mesh,
+                                                 WarningCode::idle_processes};
     return all;
   }
 
@@ -99,6 +100,8 @@ namespace abut
       return "body-without-contact";
     case WarningCode::coarse_mesh:
       return "coarse-mesh";
+    case WarningCode::idle_processes:
+      return "idle-processes";
     }
     return "unknown";
   }

@@ -26,17 +26,18 @@ namespace abut
       Eigen::VectorXd apply(const Eigen::VectorXd &pressures) const override
       {
         AssertDimension(pressures.size(), problem_.n_pressures());
-        const std::size_t n_bodies = problem_.bodies().size();
-        std::vector<Eigen::VectorXd> parts(n_bodies);
-        for_each_body(n_bodies, [&](const std::size_t a) {
-          const Eigen::VectorXd forces = problem_.contact_forces(a, pressures);
-          if (forces.size() > 0 && !forces.isZero(0.))
-            parts[a] = problem_.response_of(a, problem_.bodies()[a]->respond(forces));
-        });
+        const std::vector<const TraceBody *> &bodies = problem_.bodies();
+        const std::vector<Eigen::VectorXd> displacements =
+            problem_.executor().of_bodies(bodies.size(), [&](const std::size_t a) -> Eigen::VectorXd {
+              const Eigen::VectorXd forces = problem_.contact_forces(a, pressures);
+              if (forces.size() == 0 || forces.isZero(0.))
+                return {};
+              return bodies[a]->respond(forces);
+            });
         Eigen::VectorXd sum = Eigen::VectorXd::Zero(problem_.response_size());
-        for (const Eigen::VectorXd &part : parts)
-          if (part.size() > 0)
-            sum += part;
+        for (std::size_t a = 0; a < bodies.size(); ++a)
+          if (displacements[a].size() > 0)
+            sum += problem_.response_of(a, displacements[a]);
         return sum;
       }
       const std::vector<ComplianceBlock> &blocks() const override { return no_blocks_; }
@@ -116,9 +117,9 @@ namespace abut
     public:
       explicit DenseCompliance(const InterfaceProblem &problem)
           : n_multipliers_(problem.n_pressures()), response_size_(problem.response_size()),
-            blocks_(problem.bodies().size())
+            blocks_(problem.executor().of_bodies(problem.bodies().size(),
+                                                 [&](const std::size_t a) { return block_of(problem, a); }))
       {
-        for_each_body(blocks_.size(), [&](const std::size_t a) { blocks_[a] = block_of(problem, a); });
         if (problem.bodies().size() <= 2)
           blocks_ = {merge(problem, blocks_)};
       }

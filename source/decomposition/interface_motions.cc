@@ -127,8 +127,8 @@ namespace abut
 
   InterfaceMotions interface_motions(const InterfaceProblem &problem)
   {
-    std::vector<BodyMotions> of_body(problem.bodies().size());
-    for_each_body(of_body.size(), [&](const std::size_t a) { of_body[a] = problem.bodies()[a]->motions(); });
+    const std::vector<BodyMotions> of_body = problem.executor().of_bodies(
+        problem.bodies().size(), [&](const std::size_t a) { return problem.bodies()[a]->motions(); });
     InterfaceMotions motions;
     Index n = 0;
     for (const BodyMotions &body : of_body)

@@ -46,8 +46,9 @@ namespace abut
 
   InterfaceProblem::InterfaceProblem(const std::vector<const TraceBody *> &bodies,
                                      const std::vector<ContactSurface> &surfaces,
-                                     std::unique_ptr<const ContactLaw> law)
-      : bodies_(bodies), surfaces_(&surfaces), law_(std::move(law)), layout_(layout_of(surfaces, *law_))
+                                     std::unique_ptr<const ContactLaw> law, Executor executor)
+      : bodies_(bodies), surfaces_(&surfaces), law_(std::move(law)), executor_(std::move(executor)),
+        layout_(layout_of(surfaces, *law_))
   {
     weights_ = penalties_ = layer_compliances_ = initial_gap_ = Eigen::VectorXd::Zero(layout_.size());
     std::vector<Triplets> triplets(bodies.size());
@@ -170,9 +171,8 @@ namespace abut
 
   InterfaceProblem::Loads InterfaceProblem::loads(const double rigid_displacement) const
   {
-    std::vector<LoadResponse> responses(bodies_.size());
-    for_each_body(bodies_.size(), [&](const std::size_t a) {
-      responses[a] = bodies_[a]->respond_to_loads(rigid_displacement);
+    const std::vector<LoadResponse> responses = executor_.of_bodies(bodies_.size(), [&](const std::size_t a) {
+      return bodies_[a]->respond_to_loads(rigid_displacement);
     });
     Loads loads;
     std::vector<Eigen::VectorXd> displacements;

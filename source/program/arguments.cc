@@ -72,7 +72,8 @@ namespace abut
     add_options(app, arguments, output);
     add_tasks(app, arguments);
     // After the subcommands, which would inherit it.
-    app.footer("Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did not "
+    app.footer("`mpirun -np N abut FILE.prm` shares the bodies of a scene among N processes.\n\n"
+               "Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did not "
                "reach what it was asked for (the results say so).");
     try
     {

@@ -11,6 +11,7 @@
 // first that need no other one, each with its own scope (RTLD_LOCAL): a symbol is then looked for in what the
 // library at hand needs. Mistakes of the command line, `--version` and `--help` are answered before.
 
+#include <abut/base/launch.h>
 #include <abut/program/arguments.h>
 
 #include <cstdlib>
@@ -64,7 +65,9 @@ namespace
 int main(const int argc, const char *const *argv)
 {
   int status = 0;
-  if (!abut::parse_arguments(argc, argv, status, std::cout, std::cerr))
+  std::ostream silent(nullptr); // one of several processes answers for all
+  const bool answers = abut::Launch::from_environment().is_first();
+  if (!abut::parse_arguments(argc, argv, status, answers ? std::cout : silent, answers ? std::cerr : silent))
     return status;
   let_idle_threads_sleep();
   RunCommandLine *const run = load();

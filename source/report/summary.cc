@@ -23,7 +23,7 @@ namespace abut
       return Json::array({number(value.x()), number(value.y())});
     }
 
-    Json body_summary(const BodyResult &result, const Results &results)
+    Json body_summary(const BodyResult &result)
     {
       const Counts counts = result.body->counts();
       const MeshQuality quality = result.body->mesh_quality();
@@ -34,29 +34,28 @@ namespace abut
       Json reactions = Json::object();
       for (const auto &[boundary, force] : result.reactions.by_boundary)
         reactions[boundary] = components(force);
-      return {
-          {"name", result.body->name()},
-          {"cells", counts.cells},
-          {"dofs", counts.dofs},
-          {"boundary_dofs", counts.boundary_dofs},
-          {"cells_at_glue",
-           std::count_if(cells.begin(), cells.end(), [](const CellInfo &cell) { return cell.at_glue; })},
-          {"condition", results.scene->tells_condition ? number(result.body->condition()) : Json(nullptr)},
-          {"energy", number(result.energy)},
-          {"max_von_mises", number(result.peaks.von_mises.value)},
-          {"max_strain", number(result.peaks.strain.value)},
-          {"max_displacement", number(result.peaks.displacement.value)},
-          {"rigid_displacement",
-           result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
-          {"min_level", cells.empty() ? Json(nullptr) : Json(coarsest->level)},
-          {"max_level", cells.empty() ? Json(nullptr) : Json(finest->level)},
-          {"h_max", number(quality.h_max)},
-          {"h_boundary", number(quality.h_boundary)},
-          {"h_ratio", number(quality.h_boundary / quality.h_max)},
-          {"regularity", number(quality.regularity)},
-          {"reactions", reactions},
-          {"equilibrium_residual", number(result.reactions.equilibrium_residual)},
-          {"moment_residual", number(result.reactions.moment_residual)}};
+      return {{"name", result.body->name()},
+              {"cells", counts.cells},
+              {"dofs", counts.dofs},
+              {"boundary_dofs", counts.boundary_dofs},
+              {"cells_at_glue",
+               std::count_if(cells.begin(), cells.end(), [](const CellInfo &cell) { return cell.at_glue; })},
+              {"condition", number(result.condition)},
+              {"energy", number(result.energy)},
+              {"max_von_mises", number(result.peaks.von_mises.value)},
+              {"max_strain", number(result.peaks.strain.value)},
+              {"max_displacement", number(result.peaks.displacement.value)},
+              {"rigid_displacement",
+               result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
+              {"min_level", cells.empty() ? Json(nullptr) : Json(coarsest->level)},
+              {"max_level", cells.empty() ? Json(nullptr) : Json(finest->level)},
+              {"h_max", number(quality.h_max)},
+              {"h_boundary", number(quality.h_boundary)},
+              {"h_ratio", number(quality.h_boundary / quality.h_max)},
+              {"regularity", number(quality.regularity)},
+              {"reactions", reactions},
+              {"equilibrium_residual", number(result.reactions.equilibrium_residual)},
+              {"moment_residual", number(result.reactions.moment_residual)}};
     }
 
     Json contact_summary(const PairResult &result)
@@ -176,7 +175,7 @@ namespace abut
       Json bodies = Json::object();
       for (const BodyResult &result : results.bodies)
       {
-        const BodyCounters counters = result.body->counters();
+        const BodyCounters &counters = result.counters;
         bodies[result.body->name()] = {{"meshes", counters.meshes},
                                        {"assemblies", counters.assemblies},
                                        {"factorisations", counters.factorisations},
@@ -224,7 +223,7 @@ namespace abut
   {
     Json bodies = Json::array(), contacts = Json::array();
     for (const BodyResult &body : results.bodies)
-      bodies.push_back(body_summary(body, results));
+      bodies.push_back(body_summary(body));
     for (const PairResult &pair : results.pairs)
       contacts.push_back(contact_summary(pair));
 
@@ -237,6 +236,7 @@ namespace abut
     json["warnings"] = Json::array();
     for (const Warning &warning : results.warnings)
       json["warnings"].push_back({{"code", to_string(warning.code)}, {"message", warning.text}});
+    json["processes"] = results.n_processes;
     json["passes"] = results.passes.size();
     json["steps"] = results.steps();
     json["relaxation"] = number(iteration.relaxation);

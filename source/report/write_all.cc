@@ -18,14 +18,15 @@ namespace abut
 {
   namespace
   {
-    void write_fields(const Results &results, const std::filesystem::path &directory)
+    /// Each body's, by the process in which it lives.
+    std::vector<std::string> write_fields(const Results &results, const Executor &executor,
+                                          const std::filesystem::path &directory)
     {
-      std::vector<std::string> files;
-      for (const BodyResult &body : results.bodies)
-        files.push_back("solution_" + body.body->name() + ".vtu");
-      for_each_body(files.size(),
-                    [&](const std::size_t a) { write_file(directory / files[a], vtu(results.bodies[a])); });
-      write_file(directory / "solution.pvd", pvd(files));
+      return executor.of_bodies(results.bodies.size(), [&](const std::size_t a) {
+        const std::string file = "solution_" + results.bodies[a].body->name() + ".vtu";
+        write_file(directory / file, vtu(results.bodies[a]));
+        return file;
+      });
     }
 
     /// Returns whether there is a picture.
@@ -49,10 +50,11 @@ namespace abut
 
   namespace
   {
-    /// All files but summary.json and report.html, which tell how long they took; returns what was left out.
-    std::vector<std::string> write_numbers_and_fields(const Results &results, const History &history,
-                                                      const PassDrawings &drawings,
-                                                      const std::filesystem::path &folder)
+    /// All files but the fields, summary.json and report.html, which tell how long they took; returns what
+    /// was left out.
+    std::vector<std::string> write_numbers_and_picture(const Results &results, const History &history,
+                                                       const PassDrawings &drawings,
+                                                       const std::filesystem::path &folder)
     {
       write_file(folder / "parameters.prm", results.scene->parameters);
       write_file(folder / "history.csv", history.csv());
@@ -60,7 +62,6 @@ namespace abut
         write_file(folder / ("contact_" + pair.pair->name() + ".csv"), contact_csv(pair));
       if (!results.points.empty())
         write_file(folder / "points.csv", points_csv(results.points));
-      write_fields(results, folder);
       if (!write_picture(results, drawings, folder))
         return {"solution.svg: too many cells for a picture"};
       return {};
@@ -68,16 +69,21 @@ namespace abut
   } // namespace
 
   Written write_all(const Results &results, const History &history, PassDrawings drawings,
-                    const std::string &directory, const double total_seconds)
+                    const std::string &directory, const double total_seconds, const Executor &executor)
   {
     const std::filesystem::path folder(directory);
     Written written;
     {
       const Stopwatch watch(written.seconds);
       const WallClock clock;
-      remove_old_results(directory);
+      if (executor.is_first())
+        remove_old_results(directory);
+      const std::vector<std::string> fields = write_fields(results, executor, folder);
+      if (!executor.is_first())
+        return written;
+      write_file(folder / "solution.pvd", pvd(fields));
       drawings.add_last(results);
-      written.left_out = write_numbers_and_fields(results, history, drawings, folder);
+      written.left_out = write_numbers_and_picture(results, history, drawings, folder);
       if (results.scene->writes_report)
         write_file(folder / "report.html",
                    report_page(results, {drawings.drawings(), written.left_out, clock.seconds(),

@@ -24,7 +24,7 @@ namespace abut
     }
   } // namespace
 
-  ErrorBudget error_budget(const Solution &solution, const Estimation &estimation,
+  ErrorBudget error_budget(const Executor &executor, const Solution &solution, const Estimation &estimation,
                            const std::optional<PenaltyChange> &penalty)
   {
     ErrorBudget budget;
@@ -34,10 +34,15 @@ namespace abut
     if (std::isfinite(solution.iteration.iteration_error))
       budget.iteration = solution.iteration.iteration_error;
     double round_off = 0., geometry = 0.;
-    for (const BodyResult &body : solution.bodies)
+    for (const auto &[of_round_off, of_geometry] :
+         executor.of_bodies(solution.bodies.size(), [&](const std::size_t a) {
+           const BodyResult &body = solution.bodies[a];
+           return std::make_pair(body.body->round_off_energy(body.deformation, body.contact_forces),
+                                 body.body->geometry_energy(body.deformation));
+         }))
     {
-      round_off += body.body->round_off_energy(body.deformation, body.contact_forces);
-      geometry += body.body->geometry_energy(body.deformation);
+      round_off += of_round_off;
+      geometry += of_geometry;
     }
     const double norm = norm_of_solution(solution.bodies);
     budget.linear_algebra = relative_root(round_off, norm);

@@ -31,11 +31,12 @@ namespace abut
     }
 
     /// ||u - v||_A
-    double energy_distance(const Bodies &bodies, const Fields &u, const Fields &v)
+    double energy_distance(const Model &model, const Fields &u, const Fields &v)
     {
       double square = 0.;
-      for (std::size_t a = 0; a < bodies.size(); ++a)
-        square += 2. * bodies[a]->strain_energy(u[a] - v[a]);
+      for (const double energy : model.executor().of_bodies(
+               u.size(), [&](const std::size_t a) { return model.bodies()[a]->strain_energy(u[a] - v[a]); }))
+        square += 2. * energy;
       return std::sqrt(square);
     }
 
@@ -86,9 +87,8 @@ namespace abut
                                ? StoppedBy::bound
                                : StoppedBy::increment;
     if (state_is_field_)
-      iteration.iteration_error =
-          relative(energy_distance(setup_.model.bodies(), step.solved, state.displacements),
-                   reference_norm(problem, loads, state.pressures, response));
+      iteration.iteration_error = relative(energy_distance(setup_.model, step.solved, state.displacements),
+                                           reference_norm(problem, loads, state.pressures, response));
     outcome.state.displacements = std::move(step.next);
     if (observer.step)
       observer.step(step_record(problem, 1, iteration.increment, iteration.iteration_error, step.pressures));

@@ -77,21 +77,21 @@ namespace abut
   } // namespace
 
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
-                      const std::vector<BodyResult> &bodies)
+                      const std::vector<BodyResult> &bodies, const Executor &executor)
   {
     for ([[maybe_unused]] const BodyResult &body : bodies)
       AssertDimension(body.estimate_forces.size(), body.body->trace_size());
     Estimation estimation;
-    estimation.errors.resize(bodies.size());
-    estimation.eta.resize(bodies.size());
-    for_each_body(bodies.size(), [&](const std::size_t a) {
+    estimation.errors = executor.of_bodies(bodies.size(), [&](const std::size_t a) {
       if (bodies[a].body->description().is_rigid)
-        return; // no cells, no errors
-      estimation.errors[a] =
+        return CellErrors(); // no cells, no errors
+      CellErrors errors =
           indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].estimate_forces});
-      include_oscillation(*bodies[a].body, estimation.errors[a]);
-      estimation.eta[a] = relative_errors(estimation.errors[a], parameters.normalisation);
+      include_oscillation(*bodies[a].body, errors);
+      return errors;
     });
+    for (const CellErrors &errors : estimation.errors)
+      estimation.eta.push_back(relative_errors(errors, parameters.normalisation));
     return estimation;
   }
 
@@ -170,7 +170,8 @@ namespace abut
           by_law ? pressures_by_law(problem, solution.iteration) : solution.iteration.traction;
       for (std::size_t a = 0; a < solution.bodies.size(); ++a)
         solution.bodies[a].estimate_forces = problem.contact_forces(a, pressures);
-      Estimation estimation = estimate(indicator, setup.scene.adaptation, solution.bodies);
+      Estimation estimation =
+          estimate(indicator, setup.scene.adaptation, solution.bodies, setup.model.executor());
       if (by_law)
         estimation.mismatch = contact_mismatch(problem, pressures, solution.bodies);
       for (std::size_t a = 0; a < solution.bodies.size(); ++a)

@@ -17,7 +17,6 @@ namespace abut
                            const double rigid_displacement, const Eigen::VectorXd &amplitudes)
     {
       BodyResult result;
-      result.body = &body;
       result.contact_forces = contact_forces;
       result.rigid_displacement = rigid_displacement;
       if (amplitudes.size() > 0)
@@ -101,12 +100,14 @@ namespace abut
   {
     AssertDimension(iteration.traction.size(), model.problem().n_pressures());
     AssertDimension(iteration.motions.size(), motions == nullptr ? 0 : motions->size());
-    std::vector<BodyResult> results(model.bodies().size());
-    for_each_body(results.size(), [&](const std::size_t a) {
-      results[a] = body_result(
-          *model.bodies()[a], model.problem().contact_forces(a, iteration.traction), rigid_displacement,
-          motions == nullptr ? Eigen::VectorXd() : motions->of_body(iteration.motions, a));
-    });
+    std::vector<BodyResult> results =
+        model.executor().of_bodies(model.bodies().size(), [&](const std::size_t a) {
+          return body_result(*model.bodies()[a], model.problem().contact_forces(a, iteration.traction),
+                             rigid_displacement,
+                             motions == nullptr ? Eigen::VectorXd() : motions->of_body(iteration.motions, a));
+        });
+    for (std::size_t a = 0; a < results.size(); ++a)
+      results[a].body = model.bodies()[a].get();
     return results;
   }
 
@@ -135,16 +136,42 @@ namespace abut
     return results;
   }
 
-  void add_peaks(std::vector<BodyResult> &bodies)
+  namespace
   {
-    for_each_body(bodies.size(), [&](const std::size_t a) {
-      BodyResult &result = bodies[a];
-      result.peaks =
-          find_peaks(*result.body, result.displacement, result.deformation, result.body->singular_vertices());
-      if (!std::isfinite(result.energy) || !std::isfinite(result.peaks.von_mises.value))
+    struct FinalValues
+    {
+      BodyPeaks peaks;
+      double condition = std::numeric_limits<double>::quiet_NaN();
+      BodyCounters counters;
+
+      void serialize(Archive &archive) { archive(peaks, condition, counters); }
+    };
+
+    FinalValues final_values(const BodyResult &result, const bool tells_condition)
+    {
+      const Body &body = *result.body;
+      FinalValues values;
+      values.peaks = find_peaks(body, result.displacement, result.deformation, body.singular_vertices());
+      if (!std::isfinite(result.energy) || !std::isfinite(values.peaks.von_mises.value))
         throw ComputationError(
-            "Body " + result.body->name() +
+            "Body " + body.name() +
             ": energy or stresses have left the range of the machine's numbers; change the units");
-    });
+      if (tells_condition)
+        values.condition = body.condition();
+      values.counters = body.counters();
+      return values;
+    }
+  } // namespace
+
+  void add_final_values(const Executor &executor, const bool tells_condition, std::vector<BodyResult> &bodies)
+  {
+    const std::vector<FinalValues> values = executor.of_bodies(
+        bodies.size(), [&](const std::size_t a) { return final_values(bodies[a], tells_condition); });
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+    {
+      bodies[a].peaks = values[a].peaks;
+      bodies[a].condition = values[a].condition;
+      bodies[a].counters = values[a].counters;
+    }
   }
 } // namespace abut

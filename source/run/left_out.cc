@@ -7,7 +7,9 @@ namespace abut
 {
   std::vector<std::string> left_out(const Setup &setup, const Solution &solution)
   {
-    std::vector<std::string> items = {"MPI and p4est (serial run)"};
+    std::vector<std::string> items = {setup.model.executor().n_processes() > 1
+                                          ? "p4est (every body lives in one process)"
+                                          : "MPI and p4est (serial run)"};
     if (setup.indicator == nullptr)
       items.emplace_back("error estimation (no estimator asked for)");
     if (!setup.scene.adapts())

@@ -3,6 +3,7 @@
 #include <abut/run/model.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace abut
 {
@@ -21,8 +22,8 @@ namespace abut
     }
   } // namespace
 
-  Model::Model(const Scene &scene, const ExactSolution *const exact)
-      : scene_(scene), is_prepared_(scene.bodies.size(), false)
+  Model::Model(const Scene &scene, const ExactSolution *const exact, Executor executor)
+      : scene_(scene), executor_(std::move(executor)), is_prepared_(scene.bodies.size(), false)
   {
     for (std::size_t a = 0; a < scene.bodies.size(); ++a)
       bodies_.push_back(
@@ -38,6 +39,7 @@ namespace abut
         surface_of_[i] = k;
       surfaces_.push_back(make_surface(groups_[k]));
     }
+    assign_bodies();
     make_problem();
   }
 
@@ -67,6 +69,15 @@ namespace abut
     return ContactSurface(inputs);
   }
 
+  void Model::assign_bodies()
+  {
+    constexpr double growth = 1.25; // of the seconds for a factor, from 10 thousand to a million unknowns
+    std::vector<double> costs;
+    for (const auto &body : bodies_)
+      costs.push_back(std::pow(static_cast<double>(body->counts().dofs), growth));
+    executor_.assign(costs, is_prepared_);
+  }
+
   void Model::make_problem()
   {
     pairs_.assign(surface_of_.size(), nullptr);
@@ -76,7 +87,8 @@ namespace abut
     std::vector<const TraceBody *> trace_bodies;
     for (const auto &body : bodies_)
       trace_bodies.push_back(body.get());
-    problem_ = std::make_unique<InterfaceProblem>(trace_bodies, surfaces_);
+    problem_ = std::make_unique<InterfaceProblem>(trace_bodies, surfaces_,
+                                                  std::make_unique<FrictionlessLaw>(), executor_);
   }
 
   Counts Model::counts() const
@@ -89,11 +101,10 @@ namespace abut
 
   PreparationTimes Model::prepare()
   {
-    std::vector<PreparationTimes> of_body(bodies_.size());
-    for_each_body(bodies_.size(), [&](const std::size_t a) {
-      if (!is_prepared_[a])
-        of_body[a] = bodies_[a]->prepare();
-    });
+    const std::vector<PreparationTimes> of_body =
+        executor_.of_bodies(bodies_.size(), [&](const std::size_t a) {
+          return is_prepared_[a] ? PreparationTimes() : bodies_[a]->prepare();
+        });
     is_prepared_.assign(bodies_.size(), true);
     // Side by side: the others have been done meanwhile.
     return *std::max_element(of_body.begin(), of_body.end(), [](const auto &a, const auto &b) {
@@ -112,11 +123,9 @@ namespace abut
 
   std::vector<Eigen::VectorXd> Model::respond(const Eigen::VectorXd &pressures) const
   {
-    std::vector<Eigen::VectorXd> displacements(bodies_.size());
-    for_each_body(bodies_.size(), [&](const std::size_t a) {
-      displacements[a] = bodies_[a]->displacement(problem_->contact_forces(a, pressures), 0.);
+    return executor_.of_bodies(bodies_.size(), [&](const std::size_t a) {
+      return bodies_[a]->displacement(problem_->contact_forces(a, pressures), 0.);
     });
-    return displacements;
   }
 
   bool Model::is_new(const ContactSurface &surface) const
@@ -140,7 +149,8 @@ namespace abut
     std::vector<unsigned int> versions_before;
     for (const auto &body : bodies_)
       versions_before.push_back(body->mesh_version());
-    for_each_body(bodies_.size(), [&](const std::size_t a) {
+    // Meshes are the same in all processes.
+    for_each(bodies_.size(), [&](const std::size_t a) {
       if (marks[a].any())
         adapted.state.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
     });
@@ -153,6 +163,7 @@ namespace abut
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
       if (is_new(surfaces_[k]))
         surfaces_[k] = make_surface(groups_[k]);
+    assign_bodies();
     make_problem();
     adapted.state.pressures.resize(problem_->n_pressures());
     auto profile = profiles.begin();

@@ -22,7 +22,7 @@ namespace abut
     outcome.estimation = estimate_solution(setup_, solution, goal_distance_);
     outcome.boundary += outcome.estimation.boundary_cost();
     outcome.penalty = penalty_change(solution.iteration.traction);
-    outcome.budget = error_budget(solution, outcome.estimation, outcome.penalty);
+    outcome.budget = error_budget(setup_.model.executor(), solution, outcome.estimation, outcome.penalty);
   }
 
   std::unique_ptr<Pass> make_pass(const Setup &setup)

@@ -12,13 +12,17 @@ namespace abut
   namespace
   {
     /// Energy norm of the difference from the fields of the mesh before, by that of the solution.
-    double change(const std::vector<BodyResult> &bodies, const std::vector<Eigen::VectorXd> &before)
+    double change(const Executor &executor, const std::vector<BodyResult> &bodies,
+                  const std::vector<Eigen::VectorXd> &before)
     {
       AssertDimension(bodies.size(), before.size());
+      const std::vector<double> differences = executor.of_bodies(bodies.size(), [&](const std::size_t a) {
+        return bodies[a].body->strain_energy(bodies[a].displacement - before[a]);
+      });
       double difference = 0., energy = 0.;
       for (std::size_t a = 0; a < bodies.size(); ++a)
       {
-        difference += bodies[a].body->strain_energy(bodies[a].displacement - before[a]);
+        difference += differences[a];
         energy += bodies[a].energy;
       }
       return energy > 0. ? std::sqrt(difference / energy) : 0.;
@@ -90,7 +94,7 @@ namespace abut
       record.strain_energy += body.energy;
     add_contact(solution.pairs, record);
     if (carried)
-      record.change = change(solution.bodies, carried->displacements);
+      record.change = change(setup.model.executor(), solution.bodies, carried->displacements);
     if (setup.indicator != nullptr)
       add_estimate(setup, outcome, record);
     return record;

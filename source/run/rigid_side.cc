@@ -57,7 +57,10 @@ namespace abut
         throw ComputationError(result.message);
       from = result.traction;
       const Eigen::VectorXd contact = problem.contact_forces(index, result.traction);
-      return pressed.rigid_side_force(pressed.deformation(contact, displacement), contact);
+      return model.executor().of_bodies(model.bodies().size(), [&](const std::size_t a) {
+        return a == index ? pressed.rigid_side_force(pressed.deformation(contact, displacement), contact)
+                          : 0.;
+      })[index];
     };
     const double displacement = find_rigid_displacement(
         force, pressed.resultant()->force, guess != 0. ? std::abs(guess) : first_guess(model, pressed),

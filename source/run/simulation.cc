@@ -12,7 +12,7 @@
 
 namespace abut
 {
-  Simulation::Simulation(const Scene &scene)
+  Simulation::Simulation(const Scene &scene, const Executor &executor)
       : completed_(with_found_contacts(scene)), scene_(completed_ ? *completed_ : scene)
   {
     {
@@ -20,7 +20,7 @@ namespace abut
       exact_ = make_exact_solution(scene_);
     }
     const Stopwatch watch(construction_.mesh);
-    model_ = std::make_unique<Model>(scene_, exact_.get());
+    model_ = std::make_unique<Model>(scene_, exact_.get(), executor);
     check_goal(scene_, *model_);
     check_output_points(scene_, *model_);
     indicator_ = make_indicator(scene_.adaptation);
@@ -42,6 +42,7 @@ namespace abut
     Results results;
     results.scene = &scene_;
     results.times = construction_;
+    results.n_processes = executor().n_processes();
     const std::unique_ptr<Pass> pass = make_pass(setup());
     std::optional<CarriedState> carried; // from the mesh before
     do
@@ -58,9 +59,9 @@ namespace abut
       const Stopwatch watch(results.times.reference);
       add_exact_pressures(*exact_, scene_, results.pairs);
     }
-    add_peaks(results.bodies);
     results.points = point_values(scene_, results.bodies);
     results.limit_distance = pass->limit_distance(results);
+    add_final_values(executor(), scene_.tells_condition, results.bodies);
     results.warnings = all_warnings(scene_, *model_, results, pass->dropped_loads());
     results.left_out = left_out(setup(), results);
     return results;

@@ -8,15 +8,18 @@ namespace abut
   std::vector<BodyResult> StepEstimates::bodies_at(const StepRecord &record) const
   {
     const InterfaceProblem &problem = setup_.model.problem();
-    std::vector<BodyResult> results(setup_.model.bodies().size());
-    for_each_body(results.size(), [&](const std::size_t a) {
-      const Body &body = *setup_.model.bodies()[a];
-      results[a].body = &body;
-      results[a].contact_forces = problem.contact_forces(a, *record.answered);
-      results[a].deformation = body.deformation(results[a].contact_forces, 0.);
-      results[a].displacement = results[a].deformation + body.rigid_motion(0.);
-      results[a].estimate_forces = problem.contact_forces(a, *record.applied);
-    });
+    const auto &bodies = setup_.model.bodies();
+    std::vector<BodyResult> results =
+        setup_.model.executor().of_bodies(bodies.size(), [&](const std::size_t a) {
+          BodyResult result;
+          result.contact_forces = problem.contact_forces(a, *record.answered);
+          result.deformation = bodies[a]->deformation(result.contact_forces, 0.);
+          result.displacement = result.deformation + bodies[a]->rigid_motion(0.);
+          result.estimate_forces = problem.contact_forces(a, *record.applied);
+          return result;
+        });
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+      results[a].body = bodies[a].get();
     return results;
   }
 
@@ -53,7 +56,7 @@ namespace abut
     {
       const Stopwatch watch(times_.estimate, solving);
       bodies = bodies_at(record);
-      estimation = estimate(*setup_.indicator, setup_.scene.adaptation, bodies);
+      estimation = estimate(*setup_.indicator, setup_.scene.adaptation, bodies, setup_.model.executor());
       estimation.mismatch = contact_mismatch(setup_.model.problem(), *record.applied, bodies);
       boundary_cost_ += estimation.boundary_cost();
     }

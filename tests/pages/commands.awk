@@ -4,7 +4,7 @@
 #   The commands of a page, one a line: those of blocks of code, joined where a line ends with \, and between backticks
 #   those that run a script of contrib/, or a built program with arguments; a test program may stand there without its
 #   folder. Remarks behind # are cut off.
-function is_command(text) { return text ~ /^(build\/|contrib\/|doc\/site\/|tests\/browser\/|\.ci\/|cmake |ctest |cp |mkdir |awk |sh |\/usr\/bin\/)/ }
+function is_command(text) { return text ~ /^(build\/|contrib\/|doc\/site\/|tests\/browser\/|\.ci\/|cmake |ctest |cp |mkdir |awk |sh |mpirun |\/usr\/bin\/)/ }
 
 function is_inline_command(text) {
   return text ~ /^build\/release\/[^ ]+ / || text ~ /^\.ci\/run/ || text ~ /^contrib\/[a-z-]+( |$)/ && is_file(text)

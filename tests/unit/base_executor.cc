@@ -25,8 +25,7 @@ namespace
   TEST(Executor, LoopsStandWithinEachOther)
   {
     std::atomic<unsigned int> sum{0};
-    for_each_body(
-        4, [&](const std::size_t a) { for_each(8, [&](const std::size_t) { sum += 1u << (4 * a); }); });
+    for_each(4, [&](const std::size_t a) { for_each(8, [&](const std::size_t) { sum += 1u << (4 * a); }); });
     EXPECT_EQ(sum, 0x8888u);
   }
 
@@ -38,13 +37,35 @@ namespace
     };
     try
     {
-      for_each_body(3, fail_at_second);
+      for_each(3, fail_at_second);
       FAIL() << "nothing was thrown";
     }
     catch (const std::out_of_range &error)
     {
       EXPECT_STREQ(error.what(), "turn 1");
     }
+  }
+
+  TEST(Executor, KeepsTheResultsOfBodiesInTheirOrder)
+  {
+    const std::vector<std::string> names =
+        Executor().of_bodies(12, [](const std::size_t a) { return std::to_string(a); });
+    ASSERT_EQ(names.size(), 12u);
+    for (std::size_t a = 0; a < names.size(); ++a)
+      EXPECT_EQ(names[a], std::to_string(a));
+  }
+
+  TEST(Executor, SharesBodiesByTheirCosts)
+  {
+    using Owners = std::vector<unsigned int>;
+    const std::vector<bool> move(5, false);
+    // 5 + 2 + 1 and 4 + 3: the dearest first, each where there is the least to do.
+    EXPECT_EQ(least_loaded({1., 2., 5., 4., 3.}, move, {}, 2), (Owners{0, 0, 0, 1, 1}));
+    EXPECT_EQ(least_loaded({1., 1., 1., 1., 1.}, move, {}, 3), (Owners{0, 1, 2, 0, 1}));
+    EXPECT_EQ(least_loaded({1., 1., 1., 1., 1.}, move, {}, 1), (Owners{0, 0, 0, 0, 0}));
+    EXPECT_EQ(least_loaded({2., 1.}, {false, false}, {}, 4), (Owners{0, 1}));
+    // Those that stay are a load already.
+    EXPECT_EQ(least_loaded({3., 1., 1.}, {true, false, false}, {1, 0, 1}, 2), (Owners{1, 0, 0}));
   }
 
   TEST(Executor, RunsOnAfterAnException)

@@ -30,7 +30,7 @@ namespace abut
       const std::string &side = is_slave ? contact.slave.boundary : contact.master.boundary;
       bodies_.push_back(std::make_unique<FiniteElementBody>(description, std::vector<std::string>{side}));
     }
-    for_each_body(bodies_.size(), [&](const std::size_t a) { bodies_[a]->prepare(); });
+    for_each(bodies_.size(), [&](const std::size_t a) { bodies_[a]->prepare(); });
     const ContactBody slave = contact_body(scene_, bodies_, contact.slave.body);
     const ContactBody master = contact_body(scene_, bodies_, contact.master.body);
     surfaces_.emplace_back(

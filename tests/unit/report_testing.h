@@ -34,6 +34,7 @@ protected:
       body->prepare();
       abut::BodyResult result;
       result.body = body.get();
+      result.counters = body->counters();
       result.displacement = Eigen::VectorXd::Zero(space_of(*body).n_dofs());
       result.deformation = result.displacement;
       results.bodies.push_back(result);

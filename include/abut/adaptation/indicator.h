@@ -24,6 +24,11 @@ namespace abut
     std::vector<Stress> better;
     std::vector<Stress> better_at_corners; ///< and at Body::visit_corner_stress's; fe-be
     BoundaryCost boundary;                 ///< of fe-be
+
+    void serialize(Archive &archive)
+    {
+      archive(stress, energy, areas, stress_norm, energy_norm, better, better_at_corners, boundary);
+    }
   };
 
   /// Estimates the error of a body's stress in each cell from the body's solution alone.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -21,6 +23,8 @@ namespace abut
 
     /// sigma : sigma, the integrand of the L2 norm over xx, yy, zz and twice xy.
     double square() const { return xx * xx + yy * yy + zz * zz + 2. * xy * xy; }
+
+    void serialize(Archive &archive) { archive(xx, yy, xy, zz); }
   };
 
   inline Stress operator+(const Stress &a, const Stress &b)

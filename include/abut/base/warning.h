@@ -38,7 +38,8 @@ namespace abut
     lost_volume,
     unpaired_overlap,
     body_without_contact,
-    coarse_mesh
+    coarse_mesh,
+    idle_processes
   };
 
   /// All of them, in the order above.

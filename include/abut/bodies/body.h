@@ -28,6 +28,8 @@ namespace abut
     unsigned int factorisations = 0;
     unsigned int solves = 0;  ///< right sides
     unsigned int mortars = 0; ///< couplings of two sides inside the body
+
+    void serialize(Archive &archive) { archive(meshes, assemblies, factorisations, solves, mortars); }
   };
 
   /// A side of a body as a curve, whether or not the scene names it.
@@ -42,6 +44,8 @@ namespace abut
   struct PreparationTimes
   {
     double assemble = 0., factorise = 0.;
+
+    void serialize(Archive &archive) { archive(assemble, factorise); }
   };
 
   /**

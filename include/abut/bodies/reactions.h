@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
 #include <abut/base/vector2.h>
 
 #include <map>
@@ -18,6 +19,11 @@ namespace abut
     /// |sum of all moments| / (diagonal of the bounding box times the sum of the forces' sizes). Round-off
     /// but where hanging nodes meet curved edges: there a rotation is no field of the finite elements.
     double moment_residual = 0.;
+
+    void serialize(Archive &archive)
+    {
+      archive(by_boundary, applied, contact, equilibrium_residual, moment_residual);
+    }
   };
 
   /// A rigid side that carries a given force: the displacement delta along `direction` is to be found.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
 #include <abut/trace/trace.h>
 
 #include <deal.II/base/exceptions.h>
@@ -16,6 +17,8 @@ namespace abut
     Eigen::VectorXd displacement;       ///< on the contact sides
     Eigen::VectorXd force_displacement; ///< on the contact sides, of forces alone with every support at rest
     double energy_product = 0.;         ///< a(u, u) of the whole displacement: twice its strain energy
+
+    void serialize(Archive &archive) { archive(displacement, force_displacement, energy_product); }
   };
 
   /**
@@ -31,6 +34,8 @@ namespace abut
     std::vector<std::string> names;
     double load_size =
         0.; ///< of all loads, without regard to their signs: beside it a resultant is round-off
+
+    void serialize(Archive &archive) { archive(traces, stiffness, loads, names, load_size); }
   };
 
   /**

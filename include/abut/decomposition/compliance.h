@@ -14,6 +14,8 @@ namespace abut
   {
     std::vector<Eigen::Index> columns, rows;
     Eigen::MatrixXd matrix;
+
+    void serialize(Archive &archive) { archive(columns, rows, matrix); }
   };
 
   /// The linear map Z from pressures to responses (see InterfaceProblem).

@@ -24,10 +24,11 @@ namespace abut
   class InterfaceProblem
   {
   public:
-    /// Bodies and surfaces must outlive the problem. `bodies` in the scene's order.
+    /// Bodies and surfaces must outlive the problem. `bodies` in the scene's order, as those of the executor.
     InterfaceProblem(const std::vector<const TraceBody *> &bodies,
                      const std::vector<ContactSurface> &surfaces,
-                     std::unique_ptr<const ContactLaw> law = std::make_unique<FrictionlessLaw>());
+                     std::unique_ptr<const ContactLaw> law = std::make_unique<FrictionlessLaw>(),
+                     Executor executor = {});
 
     const ContactLaw &law() const { return *law_; }
     const MultiplierLayout &layout() const { return layout_; }
@@ -47,6 +48,7 @@ namespace abut
           f(pair, i);
     }
     const std::vector<const TraceBody *> &bodies() const { return bodies_; }
+    const Executor &executor() const { return executor_; }
 
     /// D_k of each multiplier, the length of the part.
     const Eigen::VectorXd &weights() const { return weights_; }
@@ -102,6 +104,7 @@ namespace abut
     std::vector<const TraceBody *> bodies_;
     const std::vector<ContactSurface> *surfaces_;
     std::unique_ptr<const ContactLaw> law_;
+    Executor executor_;
     MultiplierLayout layout_;
     Eigen::VectorXd weights_, penalties_, layer_compliances_, initial_gap_;
     /// Per body: the rows of the response that its trace displacements enter (response_size x trace_size).

@@ -24,9 +24,10 @@ namespace abut
   /**
    * Writes all files of a run into an existing folder (see OutputDirectory), each whole or not at
    * all. An old summary.json goes first and the new one comes last: where it is, the rest is complete and
-   * belongs to it. It counts the time of the writing to that of the results and to `total_seconds`. Throws
-   * UserError.
+   * belongs to it. It counts the time of the writing to that of the results and to `total_seconds`. All
+   * processes of the executor have to call it: each writes the fields of the bodies that live in it, the
+   * first one the rest. Throws UserError.
    */
   Written write_all(const Results &results, const History &history, PassDrawings drawings,
-                    const std::string &directory, double total_seconds);
+                    const std::string &directory, double total_seconds, const Executor &executor = {});
 } // namespace abut

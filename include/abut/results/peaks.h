@@ -11,6 +11,8 @@ namespace abut
     double value = 0.;
     Vector2 place = Vector2::Zero(); ///< undeformed
     unsigned int cell = 0;           ///< active cell index
+
+    void serialize(Archive &archive) { archive(value, place, cell); }
   };
 
   /// The largest values of a body's fields.
@@ -21,6 +23,11 @@ namespace abut
     Peak strain;       ///< principal strain, by its size, over the Gauss points
     /// The same farther from singular vertices than a hundredth of the body's diagonal.
     Peak regular_von_mises, regular_strain;
+
+    void serialize(Archive &archive)
+    {
+      archive(von_mises, displacement, strain, regular_von_mises, regular_strain);
+    }
   };
 
   /// `deformation`: the displacement less a rigid motion (see BodyResult).

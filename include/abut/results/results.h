@@ -36,10 +36,19 @@ namespace abut
     Eigen::VectorXd estimate_forces; ///< a trace vector: those that the estimated error refers to
     double energy = 0.;              ///< strain energy
     BodyPeaks peaks;
+    double condition = std::numeric_limits<double>::quiet_NaN(); ///< see Body::condition; where asked for
+    BodyCounters counters;
     double rigid_displacement = 0.; ///< of the side that carries a given resultant
     Reactions reactions;
     Eigen::VectorXd eta;        ///< of each cell, where estimated
     std::vector<Stress> better; ///< the estimator's better stress (CellErrors::better); may be empty
+
+    /// All but the body, and what is known at the end of a run.
+    void serialize(Archive &archive)
+    {
+      archive(displacement, deformation, contact_forces, estimate_forces, energy, rigid_displacement,
+              reactions, eta, better);
+    }
   };
 
   /// Vectors have an entry for every part of the surface, also of those that do not belong to the pair.
@@ -175,6 +184,7 @@ namespace abut
     TrueErrors true_errors;
     std::vector<PointResult> points; ///< where the scene asks for them
     Times times;
+    unsigned int n_processes = 1;
     std::vector<Warning> warnings;
     std::vector<std::string> left_out; ///< what this scene did not need
 

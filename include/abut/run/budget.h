@@ -10,6 +10,6 @@ namespace abut
 {
   /// The parts of a solution's error. `penalty`: what it changes; empty where that is not known, or no
   /// error.
-  ErrorBudget error_budget(const Solution &solution, const Estimation &estimation,
+  ErrorBudget error_budget(const Executor &executor, const Solution &solution, const Estimation &estimation,
                            const std::optional<PenaltyChange> &penalty);
 } // namespace abut

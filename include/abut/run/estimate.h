@@ -10,7 +10,7 @@ namespace abut
 {
   /// Of every body's deformation, against what the body answers its `estimate_forces` with.
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
-                      const std::vector<BodyResult> &bodies);
+                      const std::vector<BodyResult> &bodies, const Executor &executor = {});
 
   /// Of the bodies' displacements and their `estimate_forces`, which the pressures of all parts make.
   ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,

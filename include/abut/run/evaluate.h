@@ -16,6 +16,7 @@ namespace abut
   std::vector<PairResult> pair_results(const Model &model, const SchemeResult &iteration,
                                        const std::vector<BodyResult> &bodies);
 
-  /// Throws ComputationError where the largest values or the energy are not finite.
-  void add_peaks(std::vector<BodyResult> &bodies);
+  /// Adds what is asked of the last bodies alone: largest values, what was done with them and, where that is
+  /// told, condition numbers. Throws ComputationError where the largest values or the energy are not finite.
+  void add_final_values(const Executor &executor, bool tells_condition, std::vector<BodyResult> &bodies);
 } // namespace abut

@@ -29,8 +29,8 @@ namespace abut
   {
   public:
     /// Makes and checks everything (UserError). The scene must outlive the model. `exact` fills in conditions
-    /// of the kind `exact`; null where there are none.
-    explicit Model(const Scene &scene, const ExactSolution *exact = nullptr);
+    /// of the kind `exact`; null where there are none. `executor`: bodies are assigned to its processes.
+    explicit Model(const Scene &scene, const ExactSolution *exact = nullptr, Executor executor = {});
 
     const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
     const std::vector<ContactSurface> &surfaces() const { return surfaces_; }
@@ -39,10 +39,12 @@ namespace abut
     /// The surface that a pair belongs to.
     std::size_t surface_of(const std::size_t pair) const { return surface_of_[pair]; }
     const InterfaceProblem &problem() const { return *problem_; }
+    const Executor &executor() const { return executor_; }
     /// Cells and unknowns of all bodies together.
     Counts counts() const;
 
-    /// Assembles and factorises the bodies whose mesh is new, side by side; the longest seconds of both.
+    /// Assembles and factorises the bodies whose mesh is new, side by side, each where it lives; the longest
+    /// seconds of both.
     PreparationTimes prepare();
 
     /// The response (see InterfaceProblem) that displacements of all bodies are.
@@ -61,10 +63,13 @@ namespace abut
     ContactBody contact_body(const Side &side) const;
     PairInput pair_input(std::size_t index) const;
     ContactSurface make_surface(const std::vector<std::size_t> &group) const;
+    /// Lets bodies whose mesh is new live where there is the least to do.
+    void assign_bodies();
     void make_problem();
     bool is_new(const ContactSurface &surface) const;
 
     const Scene &scene_;
+    Executor executor_;
     std::vector<std::unique_ptr<Body>> bodies_;
     std::vector<std::vector<std::size_t>> groups_; ///< of pairs, a surface each
     std::vector<std::size_t> surface_of_;

@@ -19,8 +19,9 @@ namespace abut
   class Simulation
   {
   public:
-    /// The scene must outlive the simulation. Finds its contacts where it asks for that.
-    explicit Simulation(const Scene &scene);
+    /// The scene must outlive the simulation. Finds its contacts where it asks for that. `executor`: what
+    /// several processes share a run by; they all make the simulation and run it.
+    explicit Simulation(const Scene &scene, const Executor &executor = {});
 
     /// See abut::check_supports. Throws UserError.
     void check_supports() const;
@@ -38,6 +39,7 @@ namespace abut
     /// Cells and unknowns of all bodies together.
     Counts counts() const { return model_->counts(); }
 
+    const Executor &executor() const { return model_->executor(); }
     const Scene &scene() const { return scene_; }
     const std::vector<std::unique_ptr<Body>> &bodies() const { return model_->bodies(); }
     const std::vector<const ContactPair *> &pairs() const { return model_->pairs(); }

@@ -187,6 +187,7 @@ namespace abut
       return carried;
     contact_response_.reset();
     cholesky_.reset();
+    stiffness_.resize(0, 0);
     set_up();
     return carried;
   }

@@ -31,11 +31,12 @@ namespace abut
                "there is no bound, increment, maximum steps, stalled), or of the meshes where they adapt "
                "(the others)"},
               {"message", "text", "", "cause and way out where it is not converged; else empty"},
+              {"processes", "count", "", "that shared the run ([processes](../processes.md))"},
               {"passes", "count", "", "meshes that were solved on"},
               {"steps", "count", "", "of the decomposition, all passes together"},
               {"relaxation", "number or null", "no unit",
                "gamma of the scheme neumann; 0 with the other schemes"},
-              {"peak_memory_mb", "number", "MiB", "most memory that the process has held"},
+              {"peak_memory_mb", "number", "MiB", "most memory that the (first) process has held"},
               {"left_out", "texts", "", "what the run did without, and why"},
               {"warnings", "list", "",
                "what the user should know of input and results ([warnings](../warnings.md))"},

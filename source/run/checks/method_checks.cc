@@ -121,6 +121,26 @@ namespace abut
     return warnings;
   }
 
+  Warnings process_warnings(const Model &model)
+  {
+    const auto n_elastic = static_cast<std::size_t>(
+        std::count_if(model.bodies().begin(), model.bodies().end(),
+                      [](const auto &body) { return !body->description().is_rigid; }));
+    const std::size_t n_processes = model.executor().n_processes();
+    if (n_processes == 1 || n_elastic >= n_processes)
+      return {};
+    std::ostringstream text;
+    text << n_processes << " processes share a run of " << n_elastic
+         << (n_elastic == 1 ? " elastic body" : " elastic bodies")
+         << ", each of which lives in one: " << n_processes - n_elastic
+         << " of them had nothing to do; start ";
+    if (n_elastic > 1)
+      text << "no more than " << n_elastic;
+    else
+      text << "it without mpirun";
+    return {{WarningCode::idle_processes, text.str()}};
+  }
+
   Warnings all_warnings(const Scene &scene, const Model &model, const Results &results,
                         const std::vector<std::string> &dropped_loads)
   {
@@ -135,6 +155,7 @@ namespace abut
       warnings.push_back({WarningCode::dropped_load, sentence});
     append(warnings, scheme_warnings(scene));
     append(warnings, estimator_warnings(scene, model));
+    append(warnings, process_warnings(model));
     return warnings;
   }
 } // namespace abut

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <Eigen/Core>
 
 namespace abut
@@ -27,5 +29,7 @@ namespace abut
       evaluate += other.evaluate;
       return *this;
     }
+
+    void serialize(Archive &archive) { archive(elements, unknowns, models, assemble, solve, evaluate); }
   };
 } // namespace abut

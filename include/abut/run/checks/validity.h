@@ -60,6 +60,9 @@ namespace abut
   /// Estimators that are far from the true error, or see a part of it.
   Warnings estimator_warnings(const Scene &scene, const Model &model);
 
+  /// Of more processes than there are bodies.
+  Warnings process_warnings(const Model &model);
+
   /// Everything that a run says. `dropped_loads`: see HeldMotions.
   Warnings all_warnings(const Scene &scene, const Model &model, const Results &results,
                         const std::vector<std::string> &dropped_loads);

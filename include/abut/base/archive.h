@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <cstring>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace abut
+{
+  using Bytes = std::vector<char>;
+
+  /**
+   * Turns values into bytes, or takes them from there in the same order: for processes of one program on
+   * machines of one kind. A record lists what it consists of, once for both directions:
+   *
+   *     void serialize(Archive &archive) { archive(first, second); }
+   */
+  class Archive
+  {
+  public:
+    enum class Direction
+    {
+      pack,  ///< values are appended to the bytes
+      unpack ///< values are taken from the bytes
+    };
+
+    /// The bytes must outlive the archive.
+    Archive(Bytes &bytes, const Direction direction) : bytes_(bytes), direction_(direction) {}
+
+    template <typename... T> void operator()(T &...values) { (pass(values), ...); }
+
+  private:
+    /// Copies `size` bytes, one way or the other.
+    void pass_bytes(void *const begin, const std::size_t size)
+    {
+      if (direction_ == Direction::pack)
+      {
+        const char *const first = static_cast<const char *>(begin);
+        bytes_.insert(bytes_.end(), first, first + size);
+        return;
+      }
+      AssertThrow(size <= bytes_.size() - position_, dealii::ExcMessage("more is asked for than was packed"));
+      if (size > 0)
+        std::memcpy(begin, bytes_.data() + position_, size);
+      position_ += size;
+    }
+
+    template <typename T> void pass(T &value)
+    {
+      if constexpr (std::is_arithmetic_v<T>)
+        pass_bytes(&value, sizeof(T));
+      else
+        value.serialize(*this);
+    }
+    template <typename Number, int rows, int columns> void pass(Eigen::Matrix<Number, rows, columns> &matrix)
+    {
+      Eigen::Index n_rows = matrix.rows(), n_columns = matrix.cols();
+      (*this)(n_rows, n_columns);
+      matrix.resize(n_rows, n_columns); // keeps what is being packed
+      pass_bytes(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(Number));
+    }
+    template <typename T> void pass(std::vector<T> &values) { pass_each(values); }
+    void pass(std::string &text) { pass_each(text); }
+    template <typename Container> void pass_each(Container &values)
+    {
+      std::size_t size = values.size();
+      pass(size);
+      values.resize(size);
+      for (auto &value : values)
+        pass(value);
+    }
+    template <typename A, typename B> void pass(std::pair<A, B> &values)
+    {
+      (*this)(values.first, values.second);
+    }
+    template <typename T> void pass(std::map<std::string, T> &values)
+    {
+      std::vector<std::pair<std::string, T>> entries(values.begin(), values.end());
+      pass(entries);
+      values = {entries.begin(), entries.end()};
+    }
+
+    Bytes &bytes_;
+    Direction direction_;
+    std::size_t position_ = 0; ///< of what is taken next
+  };
+} // namespace abut

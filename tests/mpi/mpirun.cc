@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mpirun.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <sys/wait.h>
+
+namespace abut::testing
+{
+  namespace
+  {
+    std::string in_quotes(const std::string &word)
+    {
+      return "'" + word + "'"; // no word of these tests has a quote
+    }
+
+    std::filesystem::path new_folder()
+    {
+      return std::filesystem::path(temporary_file("marker", "")).parent_path();
+    }
+
+    /// Without mpirun's banners, which follow an exit status that is not 0.
+    std::string words_of_abut(const std::string &text)
+    {
+      std::string kept;
+      for (const std::string &line : lines(text))
+        if (line.rfind("abut: ", 0) == 0)
+          kept += line + '\n';
+      return kept;
+    }
+  } // namespace
+
+  std::vector<std::string> lines(const std::string &text)
+  {
+    std::vector<std::string> result;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+      result.push_back(line);
+    return result;
+  }
+
+  Answer run_processes(const std::vector<Group> &groups)
+  {
+    return run_processes_in(new_folder() / "results", groups);
+  }
+
+  Answer run_processes_in(const std::string &directory, const std::vector<Group> &groups)
+  {
+    const std::filesystem::path folder = new_folder();
+    Answer answer{};
+    answer.directory = directory;
+    // Tests may run as root, on fewer cores than processes.
+    std::string command = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " ABUT_TIMEOUT
+                          " 200 " ABUT_MPIRUN " --oversubscribe";
+    for (std::size_t i = 0; i < groups.size(); ++i)
+    {
+      command += (i > 0 ? " : -np " : " -np ") + std::to_string(groups[i].n_processes) + " " +
+                 in_quotes(ABUT_PROGRAM);
+      for (const std::string &argument : groups[i].arguments)
+        command += " " + in_quotes(argument);
+      command += " --output " + in_quotes(answer.directory);
+    }
+    const std::string out = folder / "out", err = folder / "err";
+    const int ended = std::system((command + " >" + in_quotes(out) + " 2>" + in_quotes(err)).c_str());
+    answer.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    answer.out = read_file(out);
+    answer.err = words_of_abut(read_file(err));
+    std::ifstream summary(answer.directory + "/summary.json");
+    if (summary)
+      answer.summary = nlohmann::json::parse(summary);
+    return answer;
+  }
+} // namespace abut::testing

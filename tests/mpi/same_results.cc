@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Results do not depend on the number of processes.
+
+#include <gtest/gtest.h>
+
+#include "../unit/vtu_file.h"
+#include "mpirun.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+using namespace abut::testing;
+using nlohmann::json;
+
+namespace
+{
+  constexpr double tolerance = 1e-8, round_off = 1e-12; // of numbers that are zero but for round-off
+
+  struct SharedScene
+  {
+    std::string name, file;
+    std::vector<std::string> overrides;
+    std::size_t n_elastic;
+    bool has_hanging_nodes = false;
+  };
+
+  /// What differs from run to run: seconds, memory, what belongs to the number of processes.
+  bool is_compared(const std::string &key)
+  {
+    static const std::set<std::string> others = {"processes",       "peak_memory_mb", "time_s",
+                                                 "mpi_initialised", "left_out",       "warnings"};
+    const bool is_seconds = key.size() > 2 && key.compare(key.size() - 2, 2, "_s") == 0;
+    return !is_seconds && others.count(key) == 0;
+  }
+
+  void expect_same(const json &serial, const json &shared, const std::string &path)
+  {
+    ASSERT_EQ(serial.size(), shared.size()) << path;
+    if (serial.is_object())
+    {
+      for (const auto &[key, value] : serial.items())
+        if (is_compared(key))
+          expect_same(value, shared[key], path + '/' + key);
+    }
+    else if (serial.is_array())
+      for (std::size_t i = 0; i < serial.size(); ++i)
+        expect_same(serial[i], shared[i], path + '/' + std::to_string(i));
+    else if (serial.is_number_float() && shared.is_number())
+      EXPECT_NEAR(shared.get<double>(), serial.get<double>(),
+                  tolerance * std::abs(serial.get<double>()) + round_off)
+          << path;
+    else
+      EXPECT_EQ(serial, shared) << path;
+  }
+
+  void expect_same_values(const std::vector<double> &serial, const std::vector<double> &shared,
+                          const std::string &what)
+  {
+    ASSERT_EQ(serial.size(), shared.size()) << what;
+    double largest = 0.;
+    for (const double value : serial)
+      largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < serial.size(); ++i)
+      EXPECT_NEAR(shared[i], serial[i], tolerance * largest) << what << ' ' << i;
+  }
+
+  std::set<std::string> files_of(const Answer &answer)
+  {
+    std::set<std::string> files;
+    for (const auto &entry : std::filesystem::directory_iterator(answer.directory))
+      files.insert(entry.path().filename());
+    return files;
+  }
+
+  void expect_same_fields(const Answer &serial, const Answer &shared)
+  {
+    for (const json &body : serial.summary["bodies"])
+    {
+      const std::string file = "/solution_" + body["name"].get<std::string>() + ".vtu";
+      const VtuFile expected(read_file(serial.directory + file)), found(read_file(shared.directory + file));
+      EXPECT_EQ(expected.cells, found.cells) << file;
+      ASSERT_EQ(expected.fields.size(), found.fields.size()) << file;
+      for (const auto &[name, field] : expected.fields)
+        expect_same_values(field.values, found.fields.at(name).values, file + " " + name);
+    }
+  }
+
+  std::vector<std::string> arguments_of(const SharedScene &scene)
+  {
+    std::vector<std::string> arguments = {project_file(scene.file)};
+    for (const std::string &override : scene.overrides)
+      arguments.insert(arguments.end(), {"--set", override});
+    return arguments;
+  }
+
+  class SharedRun : public ::testing::TestWithParam<SharedScene>
+  {};
+
+  TEST_P(SharedRun, HasTheResultsOfOneProcess)
+  {
+    const SharedScene &scene = GetParam();
+    const std::vector<std::string> arguments = arguments_of(scene);
+    const Answer serial = run(arguments);
+    ASSERT_EQ(serial.status, 0) << serial.err;
+    EXPECT_EQ(serial.summary["processes"], 1);
+    for (const json &body : serial.summary["bodies"])
+      if (scene.has_hanging_nodes)
+      {
+        EXPECT_LT(body["min_level"].get<int>(), body["max_level"].get<int>());
+      }
+    for (const unsigned int n : {1u, 2u, 3u, 4u})
+    {
+      SCOPED_TRACE(std::to_string(n) + " processes");
+      const Answer shared = run_processes({{n, arguments}});
+      ASSERT_EQ(shared.status, 0) << shared.err;
+      EXPECT_EQ(shared.summary["processes"], n);
+      EXPECT_EQ(shared.summary["counters"]["mpi_initialised"], n > 1);
+      expect_same(serial.summary, shared.summary, "");
+      EXPECT_EQ(files_of(shared), files_of(serial));
+      for (const std::string column_name : {"increment", "normal_force", "error_discretisation"})
+      {
+        const std::string file = "/history.csv";
+        std::vector<double> expected = column(serial.directory + file, column_name),
+                            found = column(shared.directory + file, column_name);
+        for (std::vector<double> *values : {&expected, &found})
+          std::replace_if(
+              values->begin(), values->end(), [](const double value) { return std::isnan(value); }, 0.);
+        expect_same_values(expected, found, column_name);
+      }
+      for (const json &pair : serial.summary["contacts"])
+      {
+        const std::string file = "/contact_" + pair["name"].get<std::string>() + ".csv";
+        expect_same_values(column(serial.directory + file, "pressure"),
+                           column(shared.directory + file, "pressure"), file);
+      }
+      expect_same_fields(serial, shared);
+      EXPECT_EQ(warning_codes(shared).count("idle-processes"), n > std::max<std::size_t>(scene.n_elastic, 1));
+      const std::vector<std::string> told = lines(shared.out);
+      EXPECT_EQ(std::count(told.begin(), told.end(), "  Results are in " + shared.directory), 1);
+    }
+  }
+
+  const std::vector<std::string> adaptive = {"Adaptation/Estimator=fe-be", "Body upper/Cells=16, 4",
+                                             "Body lower/Cells=16, 4",     "Body upper/Adapt=true",
+                                             "Body lower/Adapt=true",      "Adaptation/Maximum passes=4"};
+
+  const std::vector<SharedScene> scenes = {
+      {"hanging_nodes_by_fe_be", "prm/two-layers-rollers.prm", adaptive, 2, true},
+      {"penalised", "prm/two-layers-rollers.prm",
+       with(adaptive, {"Contact interface/Penalty coefficient=0.05"}), 2, true},
+      {"three_bodies", "prm/three-bodies.prm", {}, 3},
+      {"floating_disc", "prm/v-groove.prm", {}, 3},
+      {"scheme_neumann", "prm/two-layers.prm", {"Output/Report=false"}, 2},
+      {"combined", "prm/two-layers-paper.prm", {}, 2},
+      {"one_elastic_body", "prm/flat-punch.prm", {"Output/Condition numbers=true"}, 1}};
+
+  INSTANTIATE_TEST_SUITE_P(Scenes, SharedRun, ::testing::ValuesIn(scenes),
+                           [](const auto &scene) { return scene.param.name; });
+} // namespace

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/archive.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace abut;
+
+namespace
+{
+  struct Record
+  {
+    double number = 0.;
+    unsigned int count = 0;
+    std::vector<std::string> names;
+    Eigen::MatrixXd matrix;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    std::map<std::string, Eigen::Vector2d> by_name;
+    std::vector<std::pair<double, bool>> pairs;
+
+    void serialize(Archive &archive) { archive(number, count, names, matrix, place, by_name, pairs); }
+  };
+
+  Record example()
+  {
+    Record record{-.1,
+                  7,
+                  {"", "a b"},
+                  Eigen::MatrixXd(2, 3),
+                  {1., 2.},
+                  {{"left", {3., 4.}}, {"top", {5., 6.}}},
+                  {{.5, true}, {.25, false}}};
+    record.matrix << 1., 2., 3., 4., 5., std::numeric_limits<double>::infinity();
+    return record;
+  }
+
+  template <typename T> Bytes packed(T &value)
+  {
+    Bytes bytes;
+    Archive(bytes, Archive::Direction::pack)(value);
+    return bytes;
+  }
+
+  TEST(Archive, GivesBackWhatItWasGiven)
+  {
+    Record packed_record = example();
+    Bytes bytes = packed(packed_record);
+    Record record;
+    record.names = {"of before"};
+    record.by_name["before"] = {0., 0.};
+    Archive(bytes, Archive::Direction::unpack)(record);
+    const Record expected = example();
+    EXPECT_EQ(record.number, expected.number);
+    EXPECT_EQ(record.count, expected.count);
+    EXPECT_EQ(record.names, expected.names);
+    EXPECT_EQ(record.matrix, expected.matrix);
+    EXPECT_EQ(record.place, expected.place);
+    EXPECT_EQ(record.by_name, expected.by_name);
+    EXPECT_EQ(record.pairs, expected.pairs);
+    EXPECT_EQ(packed(record), bytes);
+  }
+
+  TEST(Archive, TakesOneValueAfterTheOther)
+  {
+    Bytes bytes;
+    Archive pack(bytes, Archive::Direction::pack);
+    double first = 1.;
+    Eigen::VectorXd none;
+    std::string last = "last";
+    pack(first, none);
+    pack(last);
+    Archive unpack(bytes, Archive::Direction::unpack);
+    double number = 0.;
+    Eigen::VectorXd vector(3);
+    std::string text;
+    unpack(number);
+    unpack(vector, text);
+    EXPECT_EQ(number, 1.);
+    EXPECT_EQ(vector.size(), 0);
+    EXPECT_EQ(text, "last");
+  }
+
+  TEST(Archive, RefusesToTakeMoreThanThereIs)
+  {
+    double number = 1.;
+    Bytes bytes = packed(number);
+    Archive archive(bytes, Archive::Direction::unpack);
+    EXPECT_ANY_THROW(archive(number, number));
+  }
+} // namespace
