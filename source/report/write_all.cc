@@ -19,12 +19,13 @@ namespace abut
   namespace
   {
     /// Each body's, by the process in which it lives.
-    std::vector<std::string> write_fields(const Results &results, const Executor &executor,
-                                          const std::filesystem::path &directory)
+    std::vector<FieldFile> write_fields(const Results &results, const Executor &executor,
+                                        const std::filesystem::path &directory)
     {
       return executor.of_bodies(results.bodies.size(), [&](const std::size_t a) {
-        const std::string file = "solution_" + results.bodies[a].body->name() + ".vtu";
-        write_file(directory / file, vtu(results.bodies[a]));
+        const OutputPatches output = output_patches(results.bodies[a]);
+        const FieldFile file{"solution_" + results.bodies[a].body->name() + ".vtu", arrays_of(output)};
+        write_file(directory / file.name, vtu(output));
         return file;
       });
     }
@@ -78,10 +79,11 @@ namespace abut
       const WallClock clock;
       if (executor.is_first())
         remove_old_results(directory);
-      const std::vector<std::string> fields = write_fields(results, executor, folder);
+      const std::vector<FieldFile> fields = write_fields(results, executor, folder);
       if (!executor.is_first())
         return written;
       write_file(folder / "solution.pvd", pvd(fields));
+      write_file(folder / "solution.pvtu", pvtu(fields));
       drawings.add_last(results);
       written.left_out = write_numbers_and_picture(results, history, drawings, folder);
       if (results.scene->writes_report)

@@ -30,7 +30,7 @@ TEST(Program, WritesTheFilesOfTheContract)
   ASSERT_EQ(answer.status, 0) << answer.err;
   for (const std::string name :
        {"parameters.prm", "history.csv", "summary.json", "report.html", "contact_interface.csv",
-        "solution.pvd", "solution_upper.vtu", "solution_lower.vtu", "solution.svg"})
+        "solution.pvd", "solution.pvtu", "solution_upper.vtu", "solution_lower.vtu", "solution.svg"})
     EXPECT_TRUE(std::filesystem::exists(answer.directory + "/" + name)) << name;
   for (const auto &entry : std::filesystem::directory_iterator(answer.directory))
     EXPECT_EQ(entry.path().filename().string().find(".partial"), std::string::npos)

@@ -192,7 +192,7 @@ namespace
       names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
     EXPECT_EQ(names, (std::vector<std::string>{"contact_interface.csv", "history.csv", "parameters.prm",
-                                               "report.html", "solution.pvd", "solution.svg",
+                                               "report.html", "solution.pvd", "solution.pvtu", "solution.svg",
                                                "solution_lower.vtu", "solution_upper.vtu", "summary.json"}));
     EXPECT_EQ(content_of(folder / "parameters.prm"), scene.parameters);
     EXPECT_NE(content_of(folder / "solution.svg"), "stale");

@@ -177,10 +177,29 @@ namespace
   TEST(ReportPvd, NamesEveryFile)
   {
     const ptree collection =
-        parse_xml(pvd({"solution_a.vtu", "solution_b.vtu"})).get_child("VTKFile.Collection");
+        parse_xml(pvd({{"solution_a.vtu", {}}, {"solution_b.vtu", {}}})).get_child("VTKFile.Collection");
     std::vector<std::string> files;
     for (const auto &[tag, set] : collection)
       files.push_back(set.get<std::string>("<xmlattr>.part") + ":" + set.get<std::string>("<xmlattr>.file"));
     EXPECT_EQ(files, (std::vector<std::string>{"0:solution_a.vtu", "1:solution_b.vtu"}));
+  }
+
+  TEST_F(ReportedScene, PvtuHasTheArraysOfAllBodies)
+  {
+    const std::vector<FieldArray> arrays = arrays_of(output_patches(results.bodies[0]));
+    const ptree grid = parse_xml(pvtu({{"solution_a.vtu", arrays},
+                                       {"solution_b.vtu", {{"level", false}, {"displacement", true}}}}))
+                           .get_child("VTKFile.PUnstructuredGrid");
+    std::vector<std::string> files;
+    std::map<std::string, std::string> common;
+    for (const auto &[tag, piece] : grid)
+      if (tag == "Piece")
+        files.push_back(piece.get<std::string>("<xmlattr>.Source"));
+    for (const auto &[tag, array] : grid.get_child("PPointData"))
+      if (tag == "PDataArray")
+        common[array.get<std::string>("<xmlattr>.Name")] =
+            array.get<std::string>("<xmlattr>.NumberOfComponents", "1");
+    EXPECT_EQ(files, (std::vector<std::string>{"solution_a.vtu", "solution_b.vtu"}));
+    EXPECT_EQ(common, (std::map<std::string, std::string>{{"displacement", "3"}, {"level", "1"}}));
   }
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bodies/output_patches.h>
 #include <abut/results/results.h>
 
 #include <string>
@@ -20,6 +21,32 @@ namespace abut
    */
   std::string vtu(const BodyResult &result);
 
+  /// An array of a VTU file.
+  struct FieldArray
+  {
+    std::string name;
+    bool is_vector; ///< three components, else one
+
+    void serialize(Archive &archive) { archive(name, is_vector); }
+  };
+
+  /// A VTU file and what it has.
+  struct FieldFile
+  {
+    std::string name;
+    std::vector<FieldArray> arrays;
+
+    void serialize(Archive &archive) { archive(name, arrays); }
+  };
+
+  /// The patches of which `vtu` makes a file, and their arrays.
+  OutputPatches output_patches(const BodyResult &result);
+  std::string vtu(const OutputPatches &output);
+  std::vector<FieldArray> arrays_of(const OutputPatches &output);
+
+  /// solution.pvtu: the bodies as the pieces of one data set, with the arrays that all of them have.
+  std::string pvtu(const std::vector<FieldFile> &files);
+
   /// solution.pvd: names the files of all bodies as parts of one picture.
-  std::string pvd(const std::vector<std::string> &vtu_files);
+  std::string pvd(const std::vector<FieldFile> &files);
 } // namespace abut

@@ -42,7 +42,7 @@ Columns keep their names and their order; further ones may come behind them.
     const std::string vtu_introduction = R"(
 ## VTU files
 
-`solution_<body>.vtu` has the fields of one body in the last pass, for ParaView (`solution.pvd` opens all).
+`solution_<body>.vtu` has the fields of one body in the last pass, for ParaView (`solution.pvd` opens all, `solution.pvtu` as one data set).
 Cells do not share points, so that fields may jump between them. A rigid body has its displacement alone.
 Contact pressures stand in the CSV files.
 
