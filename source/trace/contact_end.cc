@@ -10,8 +10,8 @@ namespace abut
 {
   namespace
   {
-    constexpr std::size_t most_fitted = 4, fewest_fitted = 2; // parts
-    constexpr double largest_share = 1. / 3.; // of a contact: further in its pressure is no square root
+    constexpr std::size_t most_fitted = 4, fewest_fitted = 3; // parts: two alone ring
+    constexpr double largest_share = .4; // of the way from the largest load: further in is no square root
 
     /// The parts of one stretch with their loads, gone through in one direction.
     class Walk
@@ -53,7 +53,11 @@ namespace abut
         return sum;
       };
       std::size_t begin = last + 1 - std::min(most_fitted, last + 1 - first);
-      while (length_from(begin) > largest_share * length_from(first))
+      std::size_t largest = first;
+      for (std::size_t i = first; i <= last; ++i)
+        if (walk.load(i) > walk.load(largest))
+          largest = i;
+      while (length_from(begin) > largest_share * length_from(largest))
         ++begin;
       if (last + 1 - begin < fewest_fitted)
         return {};

@@ -32,9 +32,9 @@ namespace abut
   };
 
   /**
-   * The ends of contact of a partition, by the last four parts or as many as are no more than a third of the
-   * contact. None where that is less than two, where the square root would not end within the last part that
-   * presses or the next one, and where a stretch ends, as at the edge of a punch.
+   * The ends of contact of a partition, by the last four parts or as many as are no more than .4 of the way
+   * from the largest load. None where that is less than three, where the square root would not end within the
+   * last part that presses or the next one, and where a stretch ends, as at the edge of a punch.
    */
   std::vector<ContactEnd> find_contact_ends(const Partition &partition, const Eigen::VectorXd &loads);
 } // namespace abut

@@ -92,7 +92,8 @@ namespace abut
           {"contacts[].max_pressure", "number", "stress",
            "largest reported pressure (`pressure` of the csv file)"},
           {"contacts[].contact_length", "number", "length",
-           "of the parts that press; without a penalty up to ends found by force and moment of the last ones, else good "
+           "of the parts that press; without a penalty up to ends found by force and moment of the last "
+           "ones, else good "
            "to a part at each end"},
           {"contacts[].max_penetration", "number", "length", "largest mean overlap of a part; 0 without"},
           {"contacts[].min_gap", "number or null", "length",
