@@ -27,16 +27,9 @@ namespace abut
   } // namespace
 
   LayerOperators::LayerOperators(KernelMatrices kernels, const double poisson_ratio)
-      : kernels_(std::move(kernels)), poisson_ratio_(poisson_ratio)
+      : kernels_(std::move(kernels)), poisson_ratio_(poisson_ratio), elastic_(poisson_ratio)
   {
-    Assert(poisson_ratio > -1. && poisson_ratio <= .5, dealii::ExcMessage("a material of plane strain"));
     AssertDimension(kernels_.log.rows(), kernels_.lengths.size() * (kernels_.degree + 1));
-    const double k = 3. - 4. * poisson_ratio, factor = 1. / (4. * M_PI * (1. + k)),
-                 laplace = -1. / (2. * M_PI);
-    single_ = {-2. * k * factor, factor};
-    rotated_ = {2. * single_.log - laplace, 2. * single_.even};
-    const double weight = 2. * (1. - 2. * poisson_ratio) / (1. - poisson_ratio);
-    hypersingular_ = {4. * single_.log - weight * laplace, 4. * single_.even};
   }
 
   void LayerOperators::add(const Kernel &kernel, const Eigen::Index component, const Eigen::Index row,
@@ -69,7 +62,7 @@ namespace abut
     for (LegendreBasis::InnerIterator entry(basis.slopes, column); entry; ++entry)
     {
       const Eigen::Index component = entry.row() / n;
-      add(rotated_, 1 - component, entry.row() % n, component == 0 ? entry.value() : -entry.value(),
+      add(elastic_.rotated, 1 - component, entry.row() % n, component == 0 ? entry.value() : -entry.value(),
           potential);
     }
   }
@@ -79,7 +72,7 @@ namespace abut
     AssertDimension(left.rows(), 2 * kernels_.log.rows());
     AssertDimension(right.rows(), 2 * kernels_.log.rows());
     return tested_potentials(left, right.cols(), [&](const Eigen::Index j, Eigen::VectorXd &potential) {
-      add(single_, right, j, potential);
+      add(elastic_.single, right, j, potential);
     });
   }
 
@@ -101,18 +94,24 @@ namespace abut
     AssertDimension(right.slopes.rows(), 2 * kernels_.log.rows());
     return tested_potentials(left.slopes, right.slopes.cols(),
                              [&](const Eigen::Index j, Eigen::VectorXd &potential) {
-                               add(hypersingular_, right.slopes, j, potential);
+                               add(elastic_.hypersingular, right.slopes, j, potential);
                              });
   }
 
   LegendreBasis LayerOperators::mass(const LegendreBasis &left, const LegendreBasis &right) const
   {
-    AssertDimension(left.rows(), 2 * kernels_.log.rows());
-    AssertDimension(right.rows(), 2 * kernels_.log.rows());
-    const Eigen::Index n = kernels_.log.rows(), size = kernels_.degree + 1;
+    return legendre_mass(kernels_.lengths, kernels_.degree, left, right);
+  }
+
+  LegendreBasis legendre_mass(const Eigen::VectorXd &lengths, const unsigned int degree,
+                              const LegendreBasis &left, const LegendreBasis &right)
+  {
+    const Eigen::Index size = degree + 1, n = lengths.size() * size;
+    AssertDimension(left.rows(), 2 * n);
+    AssertDimension(right.rows(), 2 * n);
     Eigen::VectorXd squares(2 * n);
     for (Eigen::Index row = 0; row < 2 * n; ++row)
-      squares[row] = kernels_.lengths[row % n / size] / (2. * static_cast<double>(row % size) + 1.);
+      squares[row] = lengths[row % n / size] / (2. * static_cast<double>(row % size) + 1.);
     return left.transpose() * squares.asDiagonal() * right;
   }
 

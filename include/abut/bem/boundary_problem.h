@@ -2,25 +2,10 @@
 #pragma once
 
 #include <abut/base/dense_cholesky.h>
-#include <abut/base/vector2.h>
-#include <abut/bem/boundary_space.h>
+#include <abut/bem/boundary_unknowns.h>
 
 namespace abut
 {
-  /// Tractions (Legendre coefficients) and displacements (at the nodes) on the whole boundary, G = 1, in the
-  /// lengths of the BoundarySpace.
-  struct BoundaryState
-  {
-    Eigen::VectorXd traction;
-    Eigen::VectorXd displacement;
-  };
-
-  /// The directions along which the displacement of every node is given: those of its elements; where they
-  /// differ both axes, but the mean where they differ by less than 45 degrees on one side, which is a curve
-  /// then.
-  std::vector<std::vector<Vector2>> supported_at_nodes(const BoundarySpace &space,
-                                                       const std::vector<std::vector<Vector2>> &supported);
-
   /**
    * The mixed boundary value problem of plane strain by symmetric Galerkin boundary elements (Sirtori;
    * Hartmann, Katz and Protopsaltis; see [Bonnet1998]). On each element the displacement is given along its
@@ -51,26 +36,16 @@ namespace abut
      */
     BoundaryState solve(const BoundaryState &known) const;
 
-    Eigen::Index n_unknowns() const { return tractions_.cols() + displacements_.cols(); }
-    Eigen::Index n_free_rigid_motions() const { return rigid_.cols(); }
+    Eigen::Index n_unknowns() const { return unknowns_.size(); }
+    Eigen::Index n_free_rigid_motions() const { return unknowns_.rigid_motions().cols(); }
 
   private:
-    void choose_unknowns(const std::vector<std::vector<Vector2>> &supported, unsigned int traction_degree);
-    /// The rigid motions of some nodes that supports leave free: displacement vectors of length 1.
-    Eigen::MatrixXd free_motions(const std::vector<unsigned int> &nodes) const;
-    void find_rigid_motions();
     void factorise();
     /// Moves each hole as the traction demands.
     void place_holes(BoundaryState &state) const;
-    void check_balance(const BoundaryState &state) const;
 
-    const BoundarySpace &space_;
+    BoundaryUnknowns unknowns_;
     LayerOperators operators_;
-    Eigen::SparseMatrix<double> tractions_;     ///< Legendre coefficients from the unknown tractions
-    Eigen::SparseMatrix<double> displacements_; ///< displacement vector from its unknowns, orthonormal
-    DisplacementBasis free_;                    ///< densities from the unknown displacements
-    Eigen::MatrixXd rigid_;                     ///< free rigid motions: displacement vectors of length 1
-    Eigen::MatrixXd hole_motions_;              ///< the same of each hole
     Eigen::VectorXd traction_scale_, displacement_scale_;
     Eigen::MatrixXd mixed_; ///< K_DN, scaled
     DenseCholesky single_layer_{Eigen::MatrixXd()}, schur_complement_{Eigen::MatrixXd()};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bem/elastic_kernels.h>
 #include <abut/bem/kernel_matrices.h>
 
 #include <Eigen/SparseCore>
@@ -56,11 +57,7 @@ namespace abut
     LegendreBasis mass(const LegendreBasis &left, const LegendreBasis &right) const;
 
   private:
-    /// The kernel log ln|w| I + even [I + (Re, -Im; -Im, -Re) conj(w)/w].
-    struct Kernel
-    {
-      double log, even;
-    };
+    using Kernel = ElasticKernels::Kernel;
 
     /// Adds the potential of a density: `value` times the Legendre polynomial of the row, in one component.
     void add(const Kernel &kernel, Eigen::Index component, Eigen::Index row, double value,
@@ -73,8 +70,12 @@ namespace abut
 
     KernelMatrices kernels_;
     double poisson_ratio_;
-    Kernel single_, rotated_, hypersingular_; ///< of V, 2 V - L and W
+    ElasticKernels elastic_;
   };
+
+  /// <left, right>, from the lengths of the elements and the degree of the polynomials.
+  LegendreBasis legendre_mass(const Eigen::VectorXd &lengths, unsigned int degree, const LegendreBasis &left,
+                              const LegendreBasis &right);
 
   /// A known field, in the rows of a LegendreBasis, as a basis of its own.
   LegendreBasis as_basis(const Eigen::VectorXd &field);
