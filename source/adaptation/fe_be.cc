@@ -9,6 +9,9 @@ namespace abut
   namespace
   {
     const std::string asked = "Adaptation/Estimator = fe-be";
+
+    /// Of the stress, relative, before it is known.
+    constexpr double expected_error = 1e-3;
   } // namespace
 
   std::shared_ptr<const BoundaryModels> FEBEIndicator::model_of(const Body &body, BoundaryCost &cost) const
@@ -24,7 +27,7 @@ namespace abut
     std::shared_ptr<const BoundaryModels> model;
     {
       const Stopwatch watch(cost.assemble);
-      model = std::make_shared<const BoundaryModels>(as_finite_elements(body, asked), kind_);
+      model = std::make_shared<const BoundaryModels>(as_finite_elements(body, asked), kind_, accuracy_);
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     kept_[&body] = {body.mesh_version(), model};
@@ -44,13 +47,20 @@ namespace abut
         solution.deformation, [&](const SamplePoint &point, const Stress &) { at_corners.push_back(point); });
     const std::size_t n = points.size();
     points.insert(points.end(), at_corners.begin(), at_corners.end());
-    std::vector<Stress> better = model->stress(solution, points, cost);
-    const std::vector<Stress> better_at_corners(better.begin() + static_cast<std::ptrdiff_t>(n),
-                                                better.end());
-    better.resize(n);
-    CellErrors errors = compare(solution, better);
-    if (!better_at_corners.empty())
-      compare_at_corners(solution, better_at_corners, errors);
+    const auto errors_with = [&](const double tolerance) {
+      std::vector<Stress> better = model->stress(solution, points, tolerance, cost);
+      const std::vector<Stress> better_at_corners(better.begin() + static_cast<std::ptrdiff_t>(n),
+                                                  better.end());
+      better.resize(n);
+      CellErrors errors = compare(solution, better);
+      if (!better_at_corners.empty())
+        compare_at_corners(solution, better_at_corners, errors);
+      return errors;
+    };
+    CellErrors errors = errors_with(accuracy_.tolerance(expected_error));
+    const double found_error = errors.stress.norm() / errors.stress_norm;
+    if (model->is_fast() && found_error < expected_error)
+      errors = errors_with(accuracy_.tolerance(found_error));
     errors.boundary = cost;
     return errors;
   }
@@ -72,7 +82,8 @@ namespace abut
                                     "data (the paper); bodies whose cells have straight edges (degree 1 on "
                                     "curved shapes), uniform body forces, no forces at points"};
       entry.make = [](const AdaptationParameters &parameters) -> std::unique_ptr<Indicator> {
-        return std::make_unique<FEBEIndicator>(parameters.boundary_solution);
+        return std::make_unique<FEBEIndicator>(parameters.boundary_solution,
+                                               BoundaryAccuracy{parameters.boundary_accuracy});
       };
       entry.has_boundary_elements = true;
       return entry;

@@ -22,44 +22,48 @@ namespace abut
       return {.5 * (trace - deviator.real()), .5 * (trace + deviator.real()), .5 * deviator.imag(),
               poisson_ratio * trace};
     }
-
-    /// The higher of both degrees, after a check of the sizes.
-    unsigned int stress_degree(const std::size_t n_elements, const BoundaryValues &values)
-    {
-      for (const Eigen::MatrixXcd *matrix : {&values.traction, &values.slope})
-        if (matrix->cols() != static_cast<Eigen::Index>(n_elements) || matrix->rows() < 1 ||
-            matrix->rows() > max_density_degree + 1)
-          throw std::invalid_argument("InteriorStress: " + std::to_string(matrix->rows()) + " x " +
-                                      std::to_string(matrix->cols()) + " values for " +
-                                      std::to_string(n_elements) +
-                                      " elements; allowed are one column per element and 1 to " +
-                                      std::to_string(max_density_degree + 1) + " rows");
-      return static_cast<unsigned int>(std::max(values.traction.rows(), values.slope.rows())) - 1;
-    }
-
-    /// The densities of InteriorStress. The polynomials are real: conj acts on their coefficients.
-    std::vector<StressDensity> stress_densities(const BoundaryValues &values, const double shear_modulus,
-                                                const double poisson_ratio)
-    {
-      const Complex i(0., 1.);
-      std::vector<StressDensity> densities(static_cast<std::size_t>(values.traction.cols()));
-      for (std::size_t e = 0; e < densities.size(); ++e)
-        for (unsigned int n = 0; n <= max_density_degree; ++n)
-        {
-          const auto column = static_cast<Eigen::Index>(e);
-          const Complex t = n < values.traction.rows() ? values.traction(n, column) : Complex(0.);
-          const Complex g = n < values.slope.rows() ? values.slope(n, column) : Complex(0.);
-          densities[e].q[n] = (i * t + 2. * shear_modulus * g) / (4. - 4. * poisson_ratio);
-          densities[e].p[n] = -i * std::conj(t) - std::conj(densities[e].q[n]);
-        }
-      return densities;
-    }
   } // namespace
+
+  unsigned int checked_degree(const std::size_t n_elements, const BoundaryValues &values)
+  {
+    for (const Eigen::MatrixXcd *matrix : {&values.traction, &values.slope})
+      if (matrix->cols() != static_cast<Eigen::Index>(n_elements) || matrix->rows() < 1 ||
+          matrix->rows() > max_density_degree + 1)
+        throw std::invalid_argument("InteriorStress: " + std::to_string(matrix->rows()) + " x " +
+                                    std::to_string(matrix->cols()) + " values for " +
+                                    std::to_string(n_elements) +
+                                    " elements; allowed are one column per element and 1 to " +
+                                    std::to_string(max_density_degree + 1) + " rows");
+    return static_cast<unsigned int>(std::max(values.traction.rows(), values.slope.rows())) - 1;
+  }
+
+  std::vector<StressDensity> stress_densities(const BoundaryValues &values, const double shear_modulus,
+                                              const double poisson_ratio)
+  {
+    const Complex i(0., 1.); // the polynomials are real: conj acts on their coefficients
+    std::vector<StressDensity> densities(static_cast<std::size_t>(values.traction.cols()));
+    for (std::size_t e = 0; e < densities.size(); ++e)
+      for (unsigned int n = 0; n <= max_density_degree; ++n)
+      {
+        const auto column = static_cast<Eigen::Index>(e);
+        const Complex t = n < values.traction.rows() ? values.traction(n, column) : Complex(0.);
+        const Complex g = n < values.slope.rows() ? values.slope(n, column) : Complex(0.);
+        densities[e].q[n] = (i * t + 2. * shear_modulus * g) / (4. - 4. * poisson_ratio);
+        densities[e].p[n] = -i * std::conj(t) - std::conj(densities[e].q[n]);
+      }
+    return densities;
+  }
+
+  Stress interior_stress(const StressSums &sums, const double poisson_ratio)
+  {
+    const double pi = std::acos(-1.);
+    return plane_strain_stress(2. / pi * sums.q_imag, Complex(sums.p_imag, -sums.p_real) / pi, poisson_ratio);
+  }
 
   InteriorStress::InteriorStress(const std::vector<BoundaryElement> &elements, const BoundaryValues &values,
                                  const double shear_modulus, const double poisson_ratio)
       : n_elements_(elements.size()), poisson_ratio_(poisson_ratio),
-        rules_(stress_degree(elements.size(), values))
+        rules_(checked_degree(elements.size(), values))
   {
     Assert(shear_modulus > 0., dealii::ExcMessage("a body has a stiffness"));
     const std::vector<StressDensity> densities = stress_densities(values, shear_modulus, poisson_ratio);
@@ -94,10 +98,8 @@ namespace abut
     for (const StressGroup &group : groups_)
       for (std::size_t i = 0; i < n_points; ++i)
         group.add(rules_, points[i], sums[i]);
-    const double pi = std::acos(-1.);
     for (std::size_t i = 0; i < n_points; ++i)
-      stresses[i] = plane_strain_stress(2. / pi * sums[i].q_imag,
-                                        Complex(sums[i].p_imag, -sums[i].p_real) / pi, poisson_ratio_);
+      stresses[i] = interior_stress(sums[i], poisson_ratio_);
   }
 
   Stress boundary_stress(const Complex traction, const Complex slope, const Complex direction,

@@ -104,6 +104,10 @@ namespace abut
         "and reactions of the finite elements enter the representation formula (cheap; no independent "
         "check near nu = 1/2). trace space and reference quality split edges towards vertices with infinite "
         "stress, the others do not. Without fe-be this has no meaning.");
+    prm.declare_entry("Boundary accuracy", "0.001", Patterns::Double(0., .1),
+                      "Error allowed to the boundary elements of fe-be where there are too many to sum over "
+                      "all pairs of them, as a share of the estimated error. No unit. 0: all pairs "
+                      "are summed over, whatever it costs.");
     prm.declare_entry(
         "Normalisation", "rms", Patterns::Selection(words_of(normalisations)),
         "How eta relates the stress error of a cell to the mean stress of its body. rms: root of "
@@ -147,6 +151,7 @@ namespace abut
     parameters.estimator = Vocabulary::of("Estimator").check(prm.get("Estimator"), "Adaptation/Estimator");
     parameters.boundary_solution =
         choose(boundary_solutions, prm.get("Boundary solution"), "Adaptation/Boundary solution");
+    parameters.boundary_accuracy = prm.get_double("Boundary accuracy");
     parameters.normalisation = choose(normalisations, prm.get("Normalisation"), "Adaptation/Normalisation");
     parameters.limit = prm.get_double("Limit");
     parameters.marking = Vocabulary::of("Marking").check(prm.get("Marking"), "Adaptation/Marking");

@@ -115,6 +115,7 @@ namespace abut
               {"Mortar", "Neighbour rule", "", "", "mortar.md#the-papers-undesirable-refinements"},
               {adaptation, "Estimator", "", "", "estimator.md#which-to-choose"},
               {adaptation, "Boundary solution", "", "", bem_page},
+              {adaptation, "Boundary accuracy", "no unit", "", "estimator.md#what-it-costs"},
               {adaptation, "Normalisation", "", "", adaptation_page},
               {adaptation, "Limit", "no unit", "", adaptation_page},
               {adaptation, "Marking", "", "", adaptation_page},

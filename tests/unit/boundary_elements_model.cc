@@ -61,7 +61,7 @@ TEST(AdaptationBoundary, StressIsThatOfTheBoundaryValues)
     const Eigen::VectorXd none, deformation = body->deformation(none, 0.);
     const BodySolution solution{*body, deformation, none};
     const BoundaryModel model(*body, kind);
-    BoundaryValues values = model.values(model.solve(solution));
+    BoundaryValues values = model.values(model.solve(solution, 0.));
     values.traction *= body->material().mu();
     std::vector<BoundaryElement> elements;
     for (const BoundaryElement &e : model.space().elements())
@@ -91,7 +91,7 @@ TEST(AdaptationBoundary, SmoothingKeepsMeansAndHalvesJumps)
   const BodySolution solution{*body, deformation, none};
   const BoundaryModel smoothed(*body, BoundarySolution::trace_space),
       raw(*body, BoundarySolution::constant_traction);
-  const BoundaryState state = smoothed.solve(solution);
+  const BoundaryState state = smoothed.solve(solution, 0.);
   const Eigen::MatrixXcd with = smoothed.values(state).slope, without = raw.values(state).slope;
   EXPECT_LT((with.row(0) - without.row(0)).norm(), 1e-15);
   EXPECT_LT(without.row(1).norm(), 1e-14);

@@ -12,7 +12,7 @@ namespace abut
   {
   public:
     explicit CertifyingIndicator(const AdaptationParameters &parameters)
-        : boundary_elements_(parameters.boundary_solution)
+        : boundary_elements_(parameters.boundary_solution, {parameters.boundary_accuracy})
     {}
 
     CellErrors estimate(const BodySolution &solution) const override

@@ -15,12 +15,15 @@ namespace abut
    * for the same data, ||sigma_B - sigma_F|| in every cell, (24)-(27). Boundary elements answer the contact
    * traction of the solution, whatever displacement stands beside it: with that of an iterate the difference
    * tells of discretisation and iteration together. Operators and factors are kept for the present mesh of
-   * each body.
+   * each body. Where boundary elements are fast (BoundaryAccuracy) they are computed once more if they turn
+   * out too inaccurate for what is estimated.
    */
   class FEBEIndicator : public Indicator
   {
   public:
-    explicit FEBEIndicator(const BoundarySolution kind) : kind_(kind) {}
+    explicit FEBEIndicator(const BoundarySolution kind, const BoundaryAccuracy &accuracy = {})
+        : kind_(kind), accuracy_(accuracy)
+    {}
 
     /// Throws ComputationError where the boundary elements cannot solve.
     CellErrors estimate(const BodySolution &solution) const override;
@@ -36,6 +39,7 @@ namespace abut
     std::shared_ptr<const BoundaryModels> model_of(const Body &body, BoundaryCost &cost) const;
 
     BoundarySolution kind_;
+    BoundaryAccuracy accuracy_;
     mutable std::mutex mutex_;
     mutable std::map<const Body *, Kept> kept_;
   };

@@ -60,6 +60,15 @@ namespace abut
     std::vector<StressGroup> groups_;
   };
 
+  /// The higher of both degrees. Throws std::invalid_argument where values do not fit the elements or their
+  /// degree is too high.
+  unsigned int checked_degree(std::size_t n_elements, const BoundaryValues &values);
+  /// The densities p and q of InteriorStress.
+  std::vector<StressDensity> stress_densities(const BoundaryValues &values, double shear_modulus,
+                                              double poisson_ratio);
+  /// From the sums over all elements.
+  Stress interior_stress(const StressSums &sums, double poisson_ratio);
+
   /**
    * Stress on the boundary itself, in plane strain, from traction and slope there; direction is that of the
    * element, with the body on its left, n = -i direction and tau = direction:

@@ -38,6 +38,7 @@ namespace abut
   {
     std::string estimator = "none"; ///< a word with an EstimatorEntry
     BoundarySolution boundary_solution = BoundarySolution::trace_space;
+    double boundary_accuracy = 1e-3; ///< of fast boundary elements, as a share of the estimate; 0: none
     Normalisation normalisation = Normalisation::rms;
     double limit = 0.;                ///< delta: the run ends when eta is below it in every cell; 0: no limit
     std::string marking = "doerfler"; ///< a word with a MarkingEntry

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
+#include <abut/bem/fast_stress.h>
 #include <abut/bodies/boundary_elements/boundary_model.h>
 #include <abut/bodies/finite_elements/cell_materials.h>
 
@@ -72,28 +73,52 @@ namespace abut
   } // namespace
 
   BoundaryModel::BoundaryModel(const FiniteElementBody &body, const BoundarySolution kind,
-                               const std::vector<bool> &cells)
-      : body_(body), material_(material_of(body, cells)), kind_(kind)
+                               const BoundaryAccuracy &accuracy, const std::vector<bool> &cells)
+      : body_(body), material_(material_of(body, cells)), kind_(kind), accuracy_(accuracy)
   {
     const unsigned int p = body.space().degree();
     const unsigned int displacement_degree = kind == BoundarySolution::reference_quality ? p + 1 : p;
-    const unsigned int traction_degree = kind == BoundarySolution::constant_traction ? p - 1 : p;
+    traction_degree_ = kind == BoundarySolution::constant_traction ? p - 1 : p;
     const bool graded = kind == BoundarySolution::trace_space || kind == BoundarySolution::reference_quality;
     sides_ = std::make_unique<GradedSides>(body, graded ? n_splits : 0u, cells);
     space_ = std::make_unique<BoundarySpace>(sides_->sides(), displacement_degree, displacement_degree);
-    data_ = std::make_unique<BoundaryData>(body, material_, *sides_, *space_, traction_degree);
-    // From degree 3 on finite elements are soon better than the quick rule.
-    const bool needs_precision = kind == BoundarySolution::reference_quality || p > 2;
-    if (kind != BoundarySolution::finite_element_trace)
-      problem_ = std::make_unique<BoundaryProblem>(
-          *space_, data_->supported(), traction_degree, material_.poisson_ratio,
-          needs_precision ? GalerkinRule::precise() : GalerkinRule::estimating());
+    data_ = std::make_unique<BoundaryData>(body, material_, *sides_, *space_, traction_degree_);
+    if (kind == BoundarySolution::finite_element_trace)
+      return;
+    if (accuracy.solves_fast(static_cast<std::size_t>(space_->n_coefficients())))
+      fast_problem_ = std::make_unique<FastBoundaryProblem>(*space_, data_->supported(), traction_degree_,
+                                                            material_.poisson_ratio, rule());
+    else
+      make_problem();
+    n_unknowns_ = fast_problem_ ? fast_problem_->n_unknowns() : problem_->n_unknowns();
   }
 
-  BoundaryState BoundaryModel::solve(const BodySolution &solution) const
+  GalerkinRule BoundaryModel::rule() const
+  {
+    // From degree 3 on finite elements are soon better than the quick rule.
+    const bool needs_precision = kind_ == BoundarySolution::reference_quality || body_.space().degree() > 2;
+    return needs_precision ? GalerkinRule::precise() : GalerkinRule::estimating();
+  }
+
+  void BoundaryModel::make_problem() const
+  {
+    problem_ = std::make_unique<BoundaryProblem>(*space_, data_->supported(), traction_degree_,
+                                                 material_.poisson_ratio, rule());
+  }
+
+  BoundaryState BoundaryModel::solve(const BodySolution &solution, const double tolerance) const
   {
     check_points(solution);
-    return problem_ ? problem_->solve(data_->known(solution)) : finite_element_state(solution);
+    if (kind_ == BoundarySolution::finite_element_trace)
+      return finite_element_state(solution);
+    const BoundaryState known = data_->known(solution);
+    if (fast_problem_ && !problem_)
+    {
+      if (const std::optional<BoundaryState> state = fast_problem_->solve(known, tolerance))
+        return *state;
+      make_problem();
+    }
+    return problem_->solve(known);
   }
 
   BoundaryValues BoundaryModel::values(const BoundaryState &state) const
@@ -140,20 +165,23 @@ namespace abut
   }
 
   std::vector<Stress> BoundaryModel::stress(const BodySolution &solution, const std::vector<Vector2> &points,
-                                            BoundaryCost &cost) const
+                                            const double tolerance, BoundaryCost &cost) const
   {
     std::optional<BoundaryState> state;
     {
       const Stopwatch watch(cost.solve);
-      state = solve(solution);
+      state = solve(solution, tolerance);
     }
     const Stopwatch watch(cost.evaluate);
     std::vector<Complex> places;
     places.reserve(points.size());
     for (const Vector2 &point : points)
       places.push_back(space_->scaled(point));
-    const InteriorStress interior(space_->elements(), values(*state), 1., material_.poisson_ratio);
-    std::vector<Stress> stresses = interior.at(places);
+    const BoundaryValues known = values(*state);
+    const double nu = material_.poisson_ratio;
+    std::vector<Stress> stresses = is_fast()
+                                       ? FastStress(space_->elements(), known, 1., nu, tolerance).at(places)
+                                       : InteriorStress(space_->elements(), known, 1., nu).at(places);
     const double mu = material_.mu();
     for (std::size_t i = 0; i < places.size(); ++i)
       stresses[i] = stresses[i] * mu + data_->uniform_force().stress(places[i]) * mu;

@@ -2,9 +2,12 @@
 #include <abut/bodies/boundary_elements/boundary_models.h>
 #include <abut/bodies/finite_elements/mesh_pieces.h>
 
+#include <algorithm>
+
 namespace abut
 {
-  BoundaryModels::BoundaryModels(const FiniteElementBody &body, const BoundarySolution kind)
+  BoundaryModels::BoundaryModels(const FiniteElementBody &body, const BoundarySolution kind,
+                                 const BoundaryAccuracy &accuracy)
       : piece_of_(body.space().mesh().triangulation.n_active_cells())
   {
     const auto pieces = mesh_pieces(body.space());
@@ -17,19 +20,20 @@ namespace abut
         if (!own.empty())
           own[cell] = true;
       }
-      models_.push_back(std::make_unique<BoundaryModel>(body, kind, own));
+      models_.push_back(std::make_unique<BoundaryModel>(body, kind, accuracy, own));
     }
   }
 
   std::vector<Stress> BoundaryModels::stress(const BodySolution &solution,
-                                             const std::vector<SamplePoint> &points, BoundaryCost &cost) const
+                                             const std::vector<SamplePoint> &points, const double tolerance,
+                                             BoundaryCost &cost) const
   {
     std::vector<std::vector<Vector2>> places(models_.size());
     for (const SamplePoint &point : points)
       places[piece_of_[point.cell]].push_back(point.place);
     std::vector<std::vector<Stress>> found;
     for (std::size_t piece = 0; piece < models_.size(); ++piece)
-      found.push_back(models_[piece]->stress(solution, places[piece], cost));
+      found.push_back(models_[piece]->stress(solution, places[piece], tolerance, cost));
     std::vector<std::size_t> next(models_.size(), 0);
     std::vector<Stress> stresses;
     for (const SamplePoint &point : points)
@@ -38,6 +42,11 @@ namespace abut
       stresses.push_back(found[piece][next[piece]++]);
     }
     return stresses;
+  }
+
+  bool BoundaryModels::is_fast() const
+  {
+    return std::any_of(models_.begin(), models_.end(), [](const auto &model) { return model->is_fast(); });
   }
 
   Eigen::Index BoundaryModels::n_elements() const

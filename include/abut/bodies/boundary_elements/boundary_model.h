@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/bem/boundary_problem.h>
+#include <abut/bem/fast_boundary_problem.h>
 #include <abut/bem/interior_stress.h>
+#include <abut/bodies/boundary_elements/boundary_accuracy.h>
 #include <abut/bodies/boundary_elements/boundary_cost.h>
 #include <abut/bodies/boundary_elements/boundary_data.h>
 
@@ -20,24 +23,31 @@ namespace abut
   public:
     /// Of the whole body, or of the piece of marked cells (by active index). The body must outlive the model,
     /// which is that of its present mesh. Throws ComputationError.
-    BoundaryModel(const FiniteElementBody &body, BoundarySolution kind, const std::vector<bool> &cells = {});
+    BoundaryModel(const FiniteElementBody &body, BoundarySolution kind, const BoundaryAccuracy &accuracy = {},
+                  const std::vector<bool> &cells = {});
 
     /// sigma_B at points inside the body or piece (world frame), which answers the contact traction of
-    /// `solution`. Adds to the cost. Throws ComputationError.
+    /// `solution`; with a relative error of about the tolerance if it is computed fast. Adds to the cost.
+    /// Throws ComputationError.
     std::vector<Stress> stress(const BodySolution &solution, const std::vector<Vector2> &points,
-                               BoundaryCost &cost) const;
+                               double tolerance, BoundaryCost &cost) const;
+    bool is_fast() const { return fast_problem_ || evaluates_fast(); }
 
     /// Tractions and displacements on the boundary, scaled (see BoundaryState), less the uniform force's.
-    BoundaryState solve(const BodySolution &solution) const;
+    BoundaryState solve(const BodySolution &solution, double tolerance) const;
     /// The same as densities for the stress: on each element du/ds gets the term of its degree that halves
     /// its jumps at vertices and keeps its mean (not with the constant traction, nor across corners and
     /// singular vertices).
     BoundaryValues values(const BoundaryState &state) const;
 
     const BoundarySpace &space() const { return *space_; }
-    Eigen::Index n_unknowns() const { return problem_ ? problem_->n_unknowns() : 0; }
+    Eigen::Index n_unknowns() const { return n_unknowns_; }
 
   private:
+    bool evaluates_fast() const { return accuracy_.evaluates_fast(space_->elements().size()); }
+    GalerkinRule rule() const;
+    /// Makes the problem with matrices.
+    void make_problem() const;
     void smooth(Eigen::MatrixXcd &slope) const;
     /// The known traction and, at supports, the one with the finite elements' reactions.
     BoundaryState finite_element_state(const BodySolution &solution) const;
@@ -45,9 +55,14 @@ namespace abut
     const FiniteElementBody &body_;
     Material material_;
     BoundarySolution kind_;
+    BoundaryAccuracy accuracy_;
+    unsigned int traction_degree_;
     std::unique_ptr<GradedSides> sides_;
     std::unique_ptr<BoundarySpace> space_;
     std::unique_ptr<BoundaryData> data_;
-    std::unique_ptr<BoundaryProblem> problem_; ///< none with the trace of the finite elements
+    // One of them, none with the trace of the finite elements; both where the iteration fails.
+    std::unique_ptr<FastBoundaryProblem> fast_problem_;
+    mutable std::unique_ptr<BoundaryProblem> problem_;
+    Eigen::Index n_unknowns_ = 0;
   };
 } // namespace abut

@@ -11,11 +11,14 @@ namespace abut
   {
   public:
     /// The body must outlive the object, which is that of its present mesh. Throws ComputationError.
-    BoundaryModels(const FiniteElementBody &body, BoundarySolution kind);
+    BoundaryModels(const FiniteElementBody &body, BoundarySolution kind,
+                   const BoundaryAccuracy &accuracy = {});
 
-    /// sigma_B at points of the body. Adds to the cost. Throws ComputationError.
+    /// sigma_B at points of the body, see BoundaryModel. Adds to the cost. Throws ComputationError.
     std::vector<Stress> stress(const BodySolution &solution, const std::vector<SamplePoint> &points,
-                               BoundaryCost &cost) const;
+                               double tolerance, BoundaryCost &cost) const;
+    /// Whether any of them is.
+    bool is_fast() const;
     Eigen::Index n_elements() const;
     Eigen::Index n_unknowns() const;
 
