@@ -36,7 +36,7 @@ def start_commands(folder):
 
 
 STEPS = [digit + power for power in ("e-2", "e-3", "e-4") for digit in ("5", "3", "2", "1.4", "1", "0.7")]
-TOLERANCES = {"layers": STEPS, "punch": STEPS[:-1], "hertz": STEPS[:-3], "floating": STEPS}
+TOLERANCES = {"layers": STEPS + ["5e-5", "3e-5", "2e-5"], "punch": STEPS[:-1], "hertz": STEPS[:-3], "floating": STEPS}
 
 
 def abut(scene, file):

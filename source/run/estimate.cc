@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/goal_marks.h>
 #include <abut/adaptation/marking.h>
+#include <abut/base/user_error.h>
 #include <abut/contact/law_mismatch.h>
 #include <abut/run/estimate.h>
 #include <abut/run/goal_value.h>
@@ -88,6 +89,11 @@ namespace abut
       CellErrors errors =
           indicator.estimate({*bodies[a].body, bodies[a].deformation, bodies[a].estimate_forces});
       include_oscillation(*bodies[a].body, errors);
+      if (!errors.energy.allFinite() || !errors.stress.allFinite())
+        throw ComputationError(
+            "Body " + bodies[a].body->name() +
+            ": the estimate of a cell is not finite; cells have become too small for their "
+            "coordinates, stop earlier (a larger Tolerance, Adaptation/Maximum passes)");
       return errors;
     });
     for (const CellErrors &errors : estimation.errors)

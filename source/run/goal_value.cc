@@ -101,10 +101,16 @@ namespace abut
                         "and stress at (x, y)");
       return;
     }
+    std::vector<std::string> with_it;
     for (const auto &body : model.bodies())
       if (!body->cells_at(scene.goal.point).empty())
-        return;
-    throw UserError("Goal: received `" + scene.goal.text() + "`, but no elastic body has this point");
+        with_it.push_back(body->name());
+    if (with_it.empty())
+      throw UserError("Goal: received `" + scene.goal.text() + "`, but no elastic body has this point");
+    if (with_it.size() > 1)
+      throw UserError("Goal: received `" + scene.goal.text() + "`, but the bodies " + with_it[0] + " and " +
+                      with_it[1] +
+                      " both have this point, with stresses of their own; name one inside a body");
   }
 
   GoalRecord goal_record(const Setup &setup, const Solution &solution,

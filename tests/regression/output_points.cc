@@ -132,3 +132,31 @@ TEST(OutputPoints, WrongOnesAreRefused)
   expect_refused(run_scene("patch-test", {"Output/Points=0.5, 0.5"}),
                  {"Output/Points", "0.5, 0.5", "(x, y)"});
 }
+
+TEST(OutputPoints, AreTheSameWhereverABodyStands)
+{
+  // Where coordinates have fewer digits for a cell, neither is a point lost nor does a neighbour of a node.
+  const std::string body = "set Bodies = b\nsubsection Body b\n  set Size = 2, 1\n  set Cells = 20, 10\n  "
+                           "set Young modulus = 1000\n"
+                           "  set Conditions = bottom: displacement: 0, 0; top: traction: 1, x*x\nend\n";
+  const std::vector<PlaneVector> own = {{.1, .9}, {.7, .3}, {.73, .31}, {1.9, .5}, {2., 1.}};
+  json before;
+  for (const auto &[shift, accuracy] :
+       {std::pair(PlaneVector{0., 0.}, 0.), {{300., 100.}, 1e-9}, {{-3e6, 7e6}, 1e-6}})
+  {
+    std::string points;
+    for (const PlaneVector &place : own)
+      points += (points.empty() ? "" : "; ") + text_of({place.x + shift.x, place.y + shift.y});
+    const Answer answer =
+        run_text(body, {"Body b/Shift=" + std::to_string(shift.x) + ", " + std::to_string(shift.y),
+                        "Output/Points=" + points});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const json found = answer.summary["points"];
+    ASSERT_EQ(found.size(), own.size());
+    for (std::size_t i = 0; i < own.size() && !before.is_null(); ++i)
+      for (const char *const key : {"von_mises", "stress_xx", "stress_xy"})
+        EXPECT_NEAR(found[i][key].get<double>(), before[i][key].get<double>(), accuracy) << i << ' ' << key;
+    if (before.is_null())
+      before = found;
+  }
+}

@@ -119,6 +119,7 @@ TEST(Tolerance, EndsWhereItCannotBeReached)
                            "Adaptation/Marking=automatic", "Adaptation/Maximum passes=60"});
   EXPECT_EQ(corner.status, 2);
   EXPECT_NE(corner.err.find("The goal does not settle"), std::string::npos) << corner.err;
+  EXPECT_NE(corner.err.find("the stress at (0, 0), the Goal, is infinite"), std::string::npos) << corner.err;
 }
 
 // Contact on a rigid outline has cells on one side only.
@@ -163,4 +164,5 @@ TEST(Tolerance, RefusesGoalsThatAreNowhere)
   expect_refused(run_scene(scene, {"Goal=stress at (9, 9)"}),
                  {"Goal: received `stress at (9, 9)`, but no elastic body has this point"});
   expect_refused(run_scene("corner", {"Tolerance=0.1", "Goal=force"}), {"in a scene without contacts"});
+  expect_refused(run_scene(scene, {"Goal=stress at (0.9, 1)"}), {"upper", "lower", "both have this point"});
 }

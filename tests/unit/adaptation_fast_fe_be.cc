@@ -80,8 +80,10 @@ namespace
         least = std::min(least, expected.stress[static_cast<Eigen::Index>(i)]);
     for (std::size_t i = 0; i < by_all.size(); ++i)
       if (by_fast[i] != by_all[i])
+      {
         EXPECT_NEAR(expected.stress[static_cast<Eigen::Index>(i)], least, share * estimate)
             << name << ", " << i;
+      }
   }
 } // namespace
 

@@ -6,12 +6,19 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 namespace abut
 {
   namespace
   {
+    /// How far a place is known, which is given by coordinates.
+    double round_off_of(const dealii::Point<2> &place)
+    {
+      return 4. * std::numeric_limits<double>::epsilon() * place.norm();
+    }
+
     /// Whether a point may lie in a cell, whose edges bend by half its size at most.
     bool may_contain(const Cell &cell, const dealii::Point<2> &place)
     {
@@ -25,8 +32,8 @@ namespace abut
                                                const dealii::Point<2> &place)
     {
       constexpr int most_steps = 30;
-      constexpr double accuracy = 1e-13, far = 3.; // of a cell
-      const double size = cell->diameter();
+      constexpr double accuracy = 1e-10, far = 3.; // of a cell; the last step makes much less of it
+      const double close = accuracy * cell->diameter() + round_off_of(place);
       dealii::Point<2> unit = cell->reference_cell().barycenter<2>();
       for (int step = 0; step < most_steps; ++step)
       {
@@ -35,7 +42,7 @@ namespace abut
         values.reinit(cell);
         const dealii::Tensor<1, 2> miss = place - values.quadrature_point(0);
         unit += dealii::apply_transformation(values.inverse_jacobian(0), miss);
-        if (miss.norm() <= accuracy * size)
+        if (miss.norm() <= close)
           return unit;
         if (!(unit.norm() < far))
           return {};
@@ -56,7 +63,8 @@ namespace abut
     const auto within = [&](const double tolerance) {
       std::vector<LocatedPoint> found;
       std::copy_if(near.begin(), near.end(), std::back_inserter(found), [&](const LocatedPoint &located) {
-        return located.cell->reference_cell().contains_point(located.unit, tolerance);
+        return located.cell->reference_cell().contains_point(
+            located.unit, tolerance + round_off_of(point) / located.cell->minimum_vertex_distance());
       });
       return found;
     };

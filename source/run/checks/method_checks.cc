@@ -147,6 +147,7 @@ namespace abut
     Warnings warnings = input_warnings(scene, model);
     append(warnings, result_warnings(results));
     append(warnings, output_point_warnings(results.points));
+    append(warnings, goal_warnings(scene, model));
     append(warnings, displaced_overlap_warnings(scene, model, results));
     append(warnings, coarse_mesh_warnings(results));
     if (const std::string sentence = rough_part(results.passes); !sentence.empty())

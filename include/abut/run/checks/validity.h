@@ -53,6 +53,8 @@ namespace abut
 
   /// Of points that the scene names: the exact stress is infinite there.
   Warnings output_point_warnings(const std::vector<PointResult> &points);
+  /// Goal = stress at a place where the exact stress is infinite.
+  Warnings goal_warnings(const Scene &scene, const Model &model);
 
   /// Parameters that the chosen scheme takes no notice of.
   Warnings scheme_warnings(const Scene &scene);
