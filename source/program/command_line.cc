@@ -4,6 +4,7 @@
 #include <abut/program/arguments.h>
 #include <abut/program/command_line.h>
 #include <abut/program/scene_run.h>
+#include <abut/program/warn.h>
 #include <abut/report/reference/pages.h>
 #include <abut/study/reproduction.h>
 #include <abut/study/scheme_comparison.h>
@@ -25,14 +26,14 @@ namespace abut
     {
       if (arguments.check)
       {
-        check_study(arguments.file, arguments.overrides, out);
+        warn(err, arguments.file, check_study(arguments.file, arguments.overrides, out));
         return ExitStatus::converged;
       }
-      const std::vector<std::string> complaints =
-          run_study(arguments.file, arguments.overrides, arguments.quiet, out);
-      for (const std::string &complaint : complaints)
+      const StudyMessages messages = run_study(arguments.file, arguments.overrides, arguments.quiet, out);
+      warn_with_results(out, err, arguments.file, arguments.quiet, messages.warnings);
+      for (const std::string &complaint : messages.complaints)
         err << "abut: " << arguments.file << ": " << complaint << '\n';
-      return status_of(complaints.empty());
+      return status_of(messages.complaints.empty());
     }
 
     /// In all processes, where there are several.

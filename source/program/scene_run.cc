@@ -2,6 +2,7 @@
 #include <abut/base/stopwatch.h>
 #include <abut/program/command_line.h>
 #include <abut/program/scene_run.h>
+#include <abut/program/warn.h>
 #include <abut/report/atomic_file.h>
 #include <abut/report/console.h>
 #include <abut/report/describe.h>
@@ -11,30 +12,10 @@
 
 #include <iostream>
 #include <optional>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace abut
 {
-  namespace
-  {
-    void warn(std::ostream &err, const Scene &scene, const Warnings &warnings)
-    {
-      for (const Warning &warning : warnings)
-        err << "abut: " << scene.file << ": warning (" << to_string(warning.code) << "): " << warning.text
-            << '\n';
-    }
-
-    /// Whether both are read in one place: a terminal, a file.
-    bool share_a_reader(const std::ostream &out, const std::ostream &err)
-    {
-      struct stat of_out, of_err;
-      return &out == &std::cout && &err == &std::cerr && fstat(STDOUT_FILENO, &of_out) == 0 &&
-             fstat(STDERR_FILENO, &of_err) == 0 && of_out.st_dev == of_err.st_dev &&
-             of_out.st_ino == of_err.st_ino;
-    }
-  } // namespace
-
   int run_scene(const Scene &scene, const Executor &executor, const bool quiet, std::ostream &out,
                 std::ostream &err)
   {
@@ -77,9 +58,7 @@ namespace abut
                                       clock.seconds(), simulation.executor());
     results.times.output += written.seconds;
     results.left_out.insert(results.left_out.end(), written.left_out.begin(), written.left_out.end());
-    warn(err, scene, results.warnings);
-    if (!quiet && !share_a_reader(out, err))
-      print_warnings(out, results.warnings);
+    warn_with_results(out, err, scene.file, quiet, results.warnings);
     if (!quiet)
       print_results(out, results, scene.output_directory, clock.seconds());
     if (results.converged())
@@ -92,7 +71,7 @@ namespace abut
   int check_scene(const Scene &scene, std::ostream &out, std::ostream &err)
   {
     const Simulation simulation(scene);
-    warn(err, scene, simulation.input_warnings());
+    warn(err, scene.file, simulation.input_warnings());
     describe(simulation, out);
     simulation.check_supports();
     return ExitStatus::converged;

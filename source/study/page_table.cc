@@ -39,7 +39,8 @@ namespace abut
                                                     "max_pressure",
                                                     "contact_length",
                                                     "max_von_mises"};
-      return column == "reference" || (std::holds_alternative<double>(cell) && printed.count(column) == 0);
+      return column == "reference" || column == "warnings" ||
+             (std::holds_alternative<double>(cell) && printed.count(column) == 0);
     }
 
     /// The name of a column, which may go on in another line behind an underscore.

@@ -9,6 +9,7 @@
 #include <abut/study/study_data.h>
 #include <abut/study/study_page.h>
 #include <abut/study/study_table.h>
+#include <abut/study/study_warnings.h>
 #include <abut/study/sweeps.h>
 #include <abut/study/variants.h>
 
@@ -95,8 +96,8 @@ namespace abut
     }
   } // namespace
 
-  std::vector<std::string> run_study(const std::string &file, const std::vector<std::string> &overrides,
-                                     const bool quiet, std::ostream &out)
+  StudyMessages run_study(const std::string &file, const std::vector<std::string> &overrides,
+                          const bool quiet, std::ostream &out)
   {
     const Scene scene = read_study(file, overrides);
     const std::vector<ReadVariant> variants = read_variants(scene, overrides);
@@ -129,16 +130,18 @@ namespace abut
       out << "  The same in " << table << ", with diagrams in " << page << '\n';
     const std::vector<std::string> unreached = complaints(runs);
     failures.insert(failures.end(), unreached.begin(), unreached.end());
-    return failures;
+    return {study_warnings(runs), failures};
   }
 
-  void check_study(const std::string &file, const std::vector<std::string> &overrides, std::ostream &out)
+  Warnings check_study(const std::string &file, const std::vector<std::string> &overrides, std::ostream &out)
   {
     const Scene scene = read_study(file, overrides);
+    std::vector<VariantWarnings> warnings;
     for (const StudyParameters::Variant &variant : scene.study.variants)
       for_variant(variant, [&] {
         const Scene changed = read_variant(file, overrides, variant);
         const Simulation simulation(changed);
+        warnings.push_back({variant.name, simulation.input_warnings()});
         simulation.check_supports();
         if (scene.study.has_fine_run && !changed.reference.is_named())
           fine_scene(file, overrides, variant);
@@ -147,5 +150,6 @@ namespace abut
             << simulation.counts().dofs << " unknowns\n";
       });
     read_peers(scene);
+    return study_warnings(warnings);
   }
 } // namespace abut

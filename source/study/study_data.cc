@@ -2,6 +2,7 @@
 #include <abut/base/numbers.h>
 #include <abut/study/quality_table.h>
 #include <abut/study/study_data.h>
+#include <abut/study/study_warnings.h>
 #include <abut/study/sweeps.h>
 #include <abut/study/variants.h>
 
@@ -163,6 +164,11 @@ namespace abut
       return columns;
     }
 
+    StudyColumns warning_columns()
+    {
+      return {{"warnings", [](const StudyRun &run, const StudyPass &) { return codes_of(run.warnings); }}};
+    }
+
     StudyColumns joined(const std::vector<StudyColumns> &groups)
     {
       StudyColumns columns;
@@ -223,7 +229,7 @@ namespace abut
   {
     return data_of(
         joined({error_columns(), quality_columns(), quantity_columns(), budget_columns(), reference_columns(),
-                contact_columns(runs), point_columns(runs), swept_columns(runs)}),
+                contact_columns(runs), point_columns(runs), swept_columns(runs), warning_columns()}),
         runs);
   }
 
@@ -235,7 +241,8 @@ namespace abut
     return data_of(
         joined({swept_columns(runs), has_names ? error_columns() : without(error_columns(), "variant"),
                 quality_columns(), quantity_columns(), without(budget_columns(), "budget_discretisation"),
-                reference_columns(), has_sums ? contact_columns(runs) : StudyColumns(), point_columns(runs)}),
+                reference_columns(), has_sums ? contact_columns(runs) : StudyColumns(), point_columns(runs),
+                warning_columns()}),
         runs);
   }
 

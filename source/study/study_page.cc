@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
 #include <abut/report/json.h>
+#include <abut/report/page/sections.h>
 #include <abut/report/plot.h>
 #include <abut/report/svg.h>
 #include <abut/study/page_assets.h>
 #include <abut/study/page_table.h>
 #include <abut/study/study_data.h>
 #include <abut/study/study_page.h>
+#include <abut/study/study_warnings.h>
 #include <abut/study/sweeps.h>
 
 #include <algorithm>
@@ -221,8 +223,9 @@ namespace abut
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         << "<title>Study of " << xml_text(name) << "</title>\n<style>" << uplot_style << study_style
         << "</style>\n</head>\n<body>\n<h1>Study of " << xml_text(name) << "</h1>\n"
-        << "<p>" << xml_text(scene.file) << ", abut " ABUT_VERSION ".</p>\n"
-        << quantity_section(runs, sweeps(runs)) << error_section(data, lines) << "<h2>All passes</h2>\n"
+        << "<p>" << xml_text(scene.file) << ", abut " ABUT_VERSION ".</p>\n";
+    write_warnings(out, study_warnings(runs));
+    out << quantity_section(runs, sweeps(runs)) << error_section(data, lines) << "<h2>All passes</h2>\n"
         << passes_table(shown_data(runs)) << "<script type=\"application/json\" id=\"study-data\">"
         << script_json(page_data(name, runs, data, lines)) << "</script>\n<script>\n/*\n"
         << uplot_license << "*/\n"

@@ -72,7 +72,9 @@ namespace abut
         compare_with(*fine, simulation.scene(), state.results, pass);
       run.passes.push_back(std::move(pass));
     };
-    run.converged = simulation.run(observer).converged();
+    const Results results = simulation.run(observer);
+    run.converged = results.converged();
+    run.warnings = results.warnings;
     if (fine != nullptr)
       run.refusal = refusal_of(run);
     return run;

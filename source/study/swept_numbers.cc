@@ -70,4 +70,9 @@ namespace abut
     }
     return found;
   }
+
+  std::string without_numbers(const std::string &text)
+  {
+    return dissected(text).rest;
+  }
 } // namespace abut

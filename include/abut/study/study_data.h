@@ -21,8 +21,8 @@ namespace abut
 
   /**
    * Errors are relative. `true_error_*` is against what the column `reference` names; `budget_*` are the
-   * parts of the estimated error (ErrorBudget). The last columns are those of each contact and of each swept
-   * parameter.
+   * parts of the estimated error (ErrorBudget). The last columns are those of each contact, of each swept
+   * parameter and the codes of warnings.
    */
   StudyData study_data(const std::vector<StudyRun> &runs);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/run/checks/validity.h>
 #include <abut/study/fine_run.h>
 
 #include <optional>
@@ -27,6 +28,7 @@ namespace abut
     std::optional<double> reference_error; ///< estimated, of the fine run
     std::vector<StudyPass> passes;
     bool converged = false;
+    Warnings warnings;   ///< those that the run by itself has
     std::string refusal; ///< why the fine run is no reference for some passes; empty where it is for all
 
     const std::string &name() const { return variant.name; }

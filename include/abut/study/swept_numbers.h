@@ -13,4 +13,7 @@ namespace abut
    * numbers, in something else or not at all.
    */
   std::optional<std::vector<double>> number_that_differs(const std::vector<std::string> &texts);
+
+  /// A text with a mark in the place of each number; digits within a name are none.
+  std::string without_numbers(const std::string &text);
 } // namespace abut

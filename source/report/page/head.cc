@@ -65,21 +65,21 @@ namespace abut
             << counted(results.warnings.size(), "warning") << '.';
       out << "</p>\n";
     }
-
-    void write_warnings(std::ostream &out, const std::vector<Warning> &warnings)
-    {
-      if (warnings.empty())
-        return;
-      out << "<section class=\"warnings\" aria-labelledby=\"warnings-title\">\n<h2 "
-             "id=\"warnings-title\">Warnings</h2>\n<ul>\n";
-      for (const Warning &warning : warnings)
-        out << "<li><strong>" << to_string(warning.code) << "</strong>: " << xml_text(warning.text)
-            << "</li>\n";
-      out << "</ul>\n<p class=\"note\">What each of these words means and what to do stands under that word "
-             "in "
-             "doc/warnings.md, which comes with abut.</p>\n</section>\n";
-    }
   } // namespace
+
+  void write_warnings(std::ostream &out, const std::vector<Warning> &warnings)
+  {
+    if (warnings.empty())
+      return;
+    out << "<section class=\"warnings\" aria-labelledby=\"warnings-title\">\n<h2 "
+           "id=\"warnings-title\">Warnings</h2>\n<ul>\n";
+    for (const Warning &warning : warnings)
+      out << "<li><strong>" << to_string(warning.code) << "</strong>: " << xml_text(warning.text)
+          << "</li>\n";
+    out << "</ul>\n<p class=\"note\">What each of these words means and what to do stands under that word "
+           "in "
+           "doc/warnings.md, which comes with abut.</p>\n</section>\n";
+  }
 
   void write_head(std::ostream &out, const Results &results)
   {

@@ -85,7 +85,8 @@ namespace abut
               {"displacement_x_<body>_<number>", "length", "there, along x"},
               {"displacement_y_<body>_<number>", "length", "and along y"},
               {"load_case", "", "its name, where the study has load cases"},
-              {"<Section/Name>", "as the parameter", "value of a swept parameter, in quotation marks"}};
+              {"<Section/Name>", "as the parameter", "value of a swept parameter, in quotation marks"},
+              {"warnings", "", "codes of the variant's run, see doc/warnings.md; separated by blanks"}};
     }
 
     CsvDescription study_file()

@@ -11,6 +11,8 @@ namespace abut
 
   /// Name, status, one sentence, and the warnings.
   void write_head(std::ostream &out, const Results &results);
+  /// A section of its own, nothing where there are none. Pages of studies have it too.
+  void write_warnings(std::ostream &out, const std::vector<Warning> &warnings);
   /// Tables of contacts, of bodies and of what the error is made of.
   void write_key_figures(std::ostream &out, const Results &results);
   /// Pressure and gap along each pair: of many pairs those with the largest forces.
