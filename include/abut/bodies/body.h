@@ -155,8 +155,8 @@ namespace abut
                                     const DisplacementVisitor &visitor) const = 0;
     virtual void visit_stress(const Eigen::VectorXd &deformation, SamplePoints points,
                               const StressVisitor &visitor) const = 0;
-    /// In the cells at `singular_vertices`, at points that crowd towards them: for integrals that Gauss
-    /// points miss. These cells only.
+    /// In cells at singular vertices of straight edges, at points that crowd towards them: where Gauss
+    /// points miss what integrals need. These cells only.
     virtual void visit_corner_stress(const Eigen::VectorXd &deformation,
                                      const StressVisitor &visitor) const = 0;
     /// At a point of the undeformed body (world frame). Throws UserError for a point outside.

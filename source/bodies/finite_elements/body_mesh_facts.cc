@@ -3,7 +3,7 @@
 // What a body tells of its mesh and its discretisation.
 #include <abut/base/directions.h>
 #include <abut/base/user_error.h>
-#include <abut/bodies/boundary_elements/graded_sides.h>
+#include <abut/bodies/boundary_elements/boundary_edges.h>
 #include <abut/bodies/finite_elements/cell_materials.h>
 #include <abut/bodies/finite_elements/glue_partners.h>
 #include <abut/bodies/finite_elements/locking.h>
@@ -91,7 +91,7 @@ namespace abut
 
   std::vector<Vector2> FiniteElementBody::singular_vertices() const
   {
-    return abut::singular_vertices(*this);
+    return abut::singular_vertices(*this, SingularVertices::everywhere);
   }
 
   std::string FiniteElementBody::why_no_bound() const

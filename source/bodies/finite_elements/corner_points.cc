@@ -2,6 +2,7 @@
 //
 // Points that crowd towards vertices where the stress may be infinite.
 
+#include <abut/bodies/boundary_elements/boundary_edges.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/stress_field.h>
 
@@ -79,7 +80,8 @@ namespace abut
   void FiniteElementBody::visit_corner_stress(const Eigen::VectorXd &deformation,
                                               const StressVisitor &visitor) const
   {
-    const std::vector<Vector2> vertices = singular_vertices();
+    const std::vector<Vector2> vertices =
+        abut::singular_vertices(*this, SingularVertices::between_straight_edges);
     if (vertices.empty())
       return;
     const dealii::Quadrature<2> rule = sample_rule(*space_, SamplePoints::comparison);

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bodies/finite_elements/finite_element_body.h>
-#include <abut/bodies/finite_elements/side_conditions.h>
+#include <abut/bodies/boundary_elements/boundary_edges.h>
 
 namespace abut
 {
   /**
-   * The sides of a body's mesh for boundary elements, with edges split towards vertices where data or
-   * geometry make the stress singular: the pieces shrink to a share of 2^-n of the edge. Elsewhere the edges
-   * are those of the mesh. Singular are, where the boundary is straight: reentrant corners; convex corners
-   * between a side held in both directions and a free one; vertices on a straight line where a support
-   * begins, ends or changes its directions, or where the prescribed traction jumps or is infinite. Pieces are
-   * never shorter than 1e-7 of the body.
+   * The sides of a body's mesh for boundary elements, with edges split towards vertices between straight
+   * edges where data or geometry make the stress singular (BoundaryEdges): the pieces shrink to a share of
+   * 2^-n of the edge. Elsewhere the edges are those of the mesh. Pieces are never shorter than 1e-7 of the
+   * body.
    */
   class GradedSides
   {
@@ -39,7 +36,6 @@ namespace abut
     Eigen::VectorXd extended(const Eigen::VectorXd &field) const;
 
   private:
-    struct Edge;
     struct Growing;
     /// A new node: the values of an edge's nodes, weighted.
     struct NewNode
@@ -48,13 +44,10 @@ namespace abut
       Eigen::VectorXd weights;
     };
 
-    static void find_singular_vertices(const SideConditions &conditions, std::vector<Edge> &edges);
-    static bool is_singular(const SideConditions &conditions, const Edge &before, const Edge &after,
-                            double largest_traction);
-    /// Adds the pieces of an edge that is cut by halving `n` times; `index`: of its segment on its side.
-    void add_edge(const Edge &edge, std::size_t index, unsigned int n, Growing &growing);
+    /// Adds the pieces of an edge that is cut by halving `n` times.
+    void add_edge(const BoundaryEdge &edge, unsigned int n, Growing &growing);
     /// A new node at s of an edge; returns its unknowns.
-    std::array<unsigned int, 2> add_node(const Edge &edge, double s);
+    std::array<unsigned int, 2> add_node(const BoundaryEdge &edge, double s);
 
     std::vector<dealii::types::boundary_id> boundaries_;
     std::vector<Trace> sides_;
@@ -63,7 +56,4 @@ namespace abut
     unsigned int n_dofs_;
     std::vector<NewNode> new_nodes_;
   };
-
-  /// The places of those vertices of a body that GradedSides calls singular.
-  std::vector<Vector2> singular_vertices(const FiniteElementBody &body);
 } // namespace abut
