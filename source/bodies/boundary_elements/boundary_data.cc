@@ -4,6 +4,7 @@
 #include <abut/bem/legendre_moments.h>
 #include <abut/bodies/boundary_elements/boundary_data.h>
 #include <abut/bodies/finite_elements/body_force.h>
+#include <abut/bodies/finite_elements/side_conditions.h>
 #include <abut/bodies/side_load.h>
 #include <abut/trace/applied_traction.h>
 
