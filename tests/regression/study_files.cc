@@ -55,4 +55,12 @@ namespace abut::testing
     const std::string &cell = text(row, column);
     return cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::stod(cell);
   }
+
+  std::size_t occurrences(const std::string &text, const std::string &part)
+  {
+    std::size_t n = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++n;
+    return n;
+  }
 } // namespace abut::testing

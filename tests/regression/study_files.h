@@ -22,4 +22,7 @@ namespace abut::testing
     std::vector<std::string> columns_;
     std::vector<std::vector<std::string>> rows_;
   };
+
+  /// How often a text has a part.
+  std::size_t occurrences(const std::string &text, const std::string &part);
 } // namespace abut::testing

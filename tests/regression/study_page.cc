@@ -13,14 +13,6 @@ namespace
 {
   const std::string page_data_begin = "<script type=\"application/json\" id=\"study-data\">";
 
-  std::size_t occurrences(const std::string &text, const std::string &part)
-  {
-    std::size_t n = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-      ++n;
-    return n;
-  }
-
   nlohmann::json data_of(const std::string &page)
   {
     const auto begin = page.find(page_data_begin) + page_data_begin.size();

@@ -46,14 +46,6 @@ end
     return run(with({"study", temporary_file("blocks.prm", blocks + study)}, more));
   }
 
-  std::size_t occurrences(const std::string &text, const std::string &part)
-  {
-    std::size_t n = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-      ++n;
-    return n;
-  }
-
   std::multiset<std::string> words(const std::string &text)
   {
     std::istringstream in(text);
@@ -124,6 +116,6 @@ end
     const std::string page = read_file(study.directory + "/study.html");
     EXPECT_EQ(page.find("warnings-title"), std::string::npos);
     EXPECT_EQ(page.find(">warnings</th>"), std::string::npos);
-    EXPECT_EQ(run_study(values, with(clean, {"--check"})).err, "");
+    EXPECT_EQ(run_study(values, abut::testing::with(clean, {"--check"})).err, "");
   }
 } // namespace
