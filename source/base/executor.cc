@@ -5,6 +5,9 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <tbb/parallel_for.h>
 #include <utility>
 
@@ -27,7 +30,28 @@ namespace abut
   {
     Assert(f, dealii::ExcMessage("there is a function to run"));
     [[maybe_unused]] static const bool once = use_one_blas_thread();
-    tbb::parallel_for(std::size_t(0), n, f);
+    std::atomic<std::size_t> first_failed(
+        n); // whichever comes first in time: messages are the same every time
+    std::exception_ptr failure;
+    std::mutex mutex;
+    tbb::parallel_for(std::size_t(0), n, [&](const std::size_t i) {
+      if (i > first_failed)
+        return;
+      try
+      {
+        f(i);
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (i >= first_failed)
+          return;
+        first_failed = i;
+        failure = std::current_exception();
+      }
+    });
+    if (failure)
+      std::rethrow_exception(failure);
   }
 
   std::vector<unsigned int> least_loaded(const std::vector<double> &costs, const std::vector<bool> &stay,

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace abut;
@@ -44,6 +46,27 @@ namespace
     {
       EXPECT_STREQ(error.what(), "turn 1");
     }
+  }
+
+  TEST(Executor, PassesOnTheExceptionOfTheLowestTurn)
+  {
+    // Also where a later turn fails before it.
+    const auto fail = [](const std::size_t a) {
+      if (a == 1)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      if (a % 2 == 1)
+        throw std::out_of_range("turn " + std::to_string(a));
+    };
+    for (int repetition = 0; repetition < 20; ++repetition)
+      try
+      {
+        for_each(8, fail);
+        FAIL() << "nothing was thrown";
+      }
+      catch (const std::out_of_range &error)
+      {
+        EXPECT_STREQ(error.what(), "turn 1");
+      }
   }
 
   TEST(Executor, KeepsTheResultsOfBodiesInTheirOrder)

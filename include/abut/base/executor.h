@@ -16,8 +16,8 @@ namespace abut
   class Processes;
 
   /**
-   * Runs f(0), ..., f(n - 1) side by side, in any order; the turns must not touch each other's results. The
-   * first exception is passed on when the turns that have begun have ended; the others need not begin.
+   * Runs f(0), ..., f(n - 1) side by side, in any order; the turns must not touch each other's results. Of
+   * exceptions that of the lowest turn is passed on when all have ended; turns after it need not begin.
    *
    * This file is the only one that knows of threads. Its loops may stand within each other. Before the first
    * one a threaded BLAS (OpenBLAS) is told to use one thread in each caller: the turns already run side by
