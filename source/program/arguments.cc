@@ -57,7 +57,8 @@ namespace abut
       if (is_answer)
         app.exit(error, out, err);
       else
-        err << "abut: " << error.what() << "; `abut --help` lists what is allowed\n";
+        // one piece: mpirun's lines do not come within it
+        err << std::string("abut: ") + error.what() + "; `abut --help` lists what is allowed\n";
       return is_answer ? ExitStatus::converged : ExitStatus::wrong_input;
     }
   } // namespace

@@ -122,12 +122,13 @@ namespace abut
       {
         const std::string text = error.what();
         const bool names_file = arguments->file.empty() || text.find(arguments->file) != std::string::npos;
-        err << "abut: " << (names_file ? "" : arguments->file + ": ") << text << '\n';
+        // one piece: mpirun's lines do not come within it
+        err << "abut: " + (names_file ? "" : arguments->file + ": ") + text + '\n';
         return ExitStatus::wrong_input;
       }
       catch (const ComputationError &error)
       {
-        err << "abut: " << arguments->file << ": " << error.what() << ". No results were written\n";
+        err << "abut: " + arguments->file + ": " + error.what() + ". No results were written\n";
         return ExitStatus::not_converged;
       }
       catch (const std::bad_alloc &)
