@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace abut
 {
@@ -47,7 +48,7 @@ namespace abut
     }
     marks.n_split.assign(bodies.size(), 0);
     const std::vector<GoalCell> cells = cells_that_adapt(bodies);
-    double carried = 0., left = total, last = 0.;
+    double carried = 0., left = total, last = std::numeric_limits<double>::infinity();
     for (const GoalCell &cell : cells)
     {
       const bool enough = carried >= most_in_a_step * total || left <= aim * aim * total;

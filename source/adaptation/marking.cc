@@ -40,7 +40,7 @@ namespace abut
     Assert(n_split <= cells.size() && n_kept <= cells.size(), dealii::ExcMessage("shares of all cells"));
     n_split = with_equal_ones(errors.stress, cells, n_split);
     n_kept = with_equal_ones(errors.stress, cells, std::max(n_split, n_kept));
-    CellMarks marks{std::vector<bool>(cells.size(), false), std::vector<bool>(cells.size(), false)};
+    CellMarks marks = no_marks(cells.size());
     for (std::size_t i = 0; i < n_split; ++i)
       marks.refine[cells[i]] = eta[static_cast<Eigen::Index>(cells[i])] > round_off_eta;
     for (std::size_t i = n_kept; i < cells.size(); ++i)

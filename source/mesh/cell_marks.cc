@@ -21,7 +21,7 @@ namespace abut
   CellMarks no_marks(const std::size_t n_cells)
   {
     const std::vector<bool> none(n_cells, false);
-    return {none, none};
+    return {none, none, {}};
   }
 
   CellMarks no_marks(const dealii::Triangulation<2> &triangulation)
@@ -41,6 +41,53 @@ namespace abut
         cell->set_refine_flag();
       else if (marks.coarsen[index] && cell->level() > 0 && !triangles)
         cell->set_coarsen_flag();
+    }
+  }
+
+  namespace
+  {
+    Vector2 to_vector(const dealii::Point<2> &point)
+    {
+      return {point[0], point[1]};
+    }
+
+    /// Whether a place is a vertex of a cell, or lies on an edge of it at the boundary.
+    bool touches(const dealii::Triangulation<2>::active_cell_iterator &cell, const Vector2 &place)
+    {
+      constexpr double round_off = 1e-8, bent = 1.02; // an edge's chord is shorter than its curve
+      const double diameter = cell->diameter();
+      for (const unsigned int v : cell->vertex_indices())
+        if ((to_vector(cell->vertex(v)) - place).norm() < round_off * diameter)
+          return true;
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary())
+        {
+          const Vector2 start = to_vector(cell->face(f)->vertex(0)),
+                        end = to_vector(cell->face(f)->vertex(1));
+          if ((start - place).norm() + (end - place).norm() < bent * (end - start).norm())
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
+  void grade(dealii::Triangulation<2> &triangulation, const std::vector<Grading> &gradings)
+  {
+    for (unsigned int round = 0;; ++round)
+    {
+      bool some = false;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->level() < deepest_level &&
+            std::any_of(gradings.begin(), gradings.end(), [&](const Grading &grading) {
+              return round < grading.further && touches(cell, grading.place);
+            }))
+        {
+          cell->set_refine_flag();
+          some = true;
+        }
+      if (!some)
+        return;
+      triangulation.execute_coarsening_and_refinement();
     }
   }
 } // namespace abut

@@ -33,6 +33,13 @@ namespace
     EXPECT_EQ(marks.cells[0].refine, (std::vector<bool>{true, true, false, false}));
   }
 
+  TEST(GoalMarks, NothingWhereTheAimIsReached)
+  {
+    const GoalMarks marks = goal_marks({{squares({9., 1.}), 1, true}}, 1.);
+    EXPECT_EQ(marks.n_split[0], 0u);
+    EXPECT_EQ(marks.expected, 1.);
+  }
+
   TEST(GoalMarks, TreatEqualErrorsAlike)
   {
     const GoalMarks marks = goal_marks({{squares({1., 1., 1. + 1e-9, 1.}), 1, true}}, .9);

@@ -144,13 +144,13 @@ TEST(MeshMarks, OnlyQuadrilateralsAreMerged)
     const auto mesh = unit_square(type, 2);
     Triangulation &triangulation = mesh->triangulation;
     const unsigned int n = triangulation.n_active_cells();
-    change_mesh(triangulation, {std::vector<bool>(n, true), std::vector<bool>(n, false)});
+    change_mesh(triangulation, {std::vector<bool>(n, true), std::vector<bool>(n, false), {}});
     EXPECT_EQ(triangulation.n_active_cells(), 4 * n);
-    change_mesh(triangulation, {std::vector<bool>(4 * n, false), std::vector<bool>(4 * n, true)});
+    change_mesh(triangulation, {std::vector<bool>(4 * n, false), std::vector<bool>(4 * n, true), {}});
     EXPECT_EQ(triangulation.n_active_cells(), type == CellType::triangles ? 4 * n : n);
     if (type == CellType::quadrilaterals)
       // The initial cells cannot be merged: marks on them are no mistake.
-      change_mesh(triangulation, {std::vector<bool>(n, false), std::vector<bool>(n, true)});
+      change_mesh(triangulation, {std::vector<bool>(n, false), std::vector<bool>(n, true), {}});
     EXPECT_EQ(triangulation.n_active_cells(), type == CellType::triangles ? 4 * n : n);
   }
 }
@@ -166,4 +166,35 @@ TEST(MeshMarks, TellWhetherThereIsAnythingToDo)
   marks = no_marks(mesh->triangulation);
   marks.refine[0] = true;
   EXPECT_TRUE(marks.any());
+}
+
+TEST(MeshGrading, SplitsCellsThatTouchAPlaceOnASideOrAtAVertex)
+{
+  struct Case
+  {
+    Vector2 place;
+    std::size_t there; // cells of the deepest level that touch it
+  };
+  for (const Case &at : {Case{{.3, 1.}, 1}, Case{{.5, 1.}, 2}, Case{{0., 0.}, 1}, Case{{.5, .5}, 4}})
+  {
+    const auto mesh = unit_square(CellType::quadrilaterals, 2);
+    grade(mesh->triangulation, {{at.place, 4}, {{0., .123}, 0}});
+    EXPECT_EQ(mesh->triangulation.n_levels(), 5u);
+    EXPECT_LE(largest_step(mesh->triangulation), 1);
+    std::size_t there = 0;
+    for (const auto &cell : mesh->triangulation.active_cell_iterators())
+      if (cell->point_inside({at.place.x(), at.place.y()}))
+      {
+        EXPECT_EQ(cell->level(), 4);
+        ++there;
+      }
+    EXPECT_EQ(there, at.there);
+  }
+}
+
+TEST(MeshGrading, StopsAtTheDeepestLevel)
+{
+  const auto mesh = unit_square(CellType::quadrilaterals, 1);
+  grade(mesh->triangulation, {{{1., 1.}, 40}});
+  EXPECT_EQ(mesh->triangulation.n_levels(), 31u);
 }

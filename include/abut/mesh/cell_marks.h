@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/vector2.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -11,11 +13,20 @@ namespace dealii
 
 namespace abut
 {
+  /// A place where the stress is not smooth, and how much more often than marked the cells there are split:
+  /// each time those that touch it.
+  struct Grading
+  {
+    Vector2 place; ///< on a side, or a vertex of the mesh; world frame, undeformed
+    unsigned int further;
+  };
+
   /// Which cells an adaptation step splits and which it may merge, by active cell index.
   struct CellMarks
   {
     std::vector<bool> refine;
     std::vector<bool> coarsen;
+    std::vector<Grading> gradings;
 
     /// Whether some cell is to be split or merged.
     bool any() const;
@@ -32,4 +43,7 @@ namespace abut
    * do.
    */
   void set_flags(dealii::Triangulation<2, 2> &triangulation, const CellMarks &marks);
+
+  /// Splits cells as gradings say, where those that marks name have been split.
+  void grade(dealii::Triangulation<2, 2> &triangulation, const std::vector<Grading> &gradings);
 } // namespace abut

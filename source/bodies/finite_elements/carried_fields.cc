@@ -67,7 +67,7 @@ namespace abut
     unsigned int child = 0;
     while (cell->parent()->child(child) != cell)
       ++child;
-    return prolongations[child] * values_.at(cell->parent()->id());
+    return prolongations[child] * values_in(cell->parent(), prolongations);
   }
 
   std::vector<Eigen::VectorXd> CarriedFields::on(const dealii::DoFHandler<2> &dof_handler) const

@@ -203,6 +203,7 @@ namespace abut
       return fields;
     const CarriedFields carried(dof_handler_, fields);
     triangulation.execute_coarsening_and_refinement();
+    grade(triangulation, marks.gradings);
     if (mesh_->curved)
       check_jacobians(triangulation, *mapping_, degree(), "Body " + mesh_->name);
     distribute();

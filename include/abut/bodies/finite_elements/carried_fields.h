@@ -12,7 +12,7 @@
 namespace abut
 {
   /**
-   * Fields (vectors of all unknowns) cell by cell, to be carried over to a mesh whose cells are split or
+   * Fields (vectors of all unknowns) cell by cell, to be carried over to a mesh whose cells are split, or
    * merged once. Where cells disagree on a common unknown, as beside mortar edges, the new field has their
    * mean.
    */
