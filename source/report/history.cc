@@ -64,7 +64,8 @@ namespace abut
             cell(found.budget.linear_algebra),
             cell(found.budget.geometry),
             cell(found.budget.bound()),
-            cell(found.budget.estimate())};
+            cell(found.budget.estimate()),
+            cell(found.pressure)};
   }
 
   std::string History::csv() const

@@ -81,6 +81,7 @@ namespace abut
             {"goal_error", pass.goal ? number(pass.goal->total()) : Json()},
             {"estimated_by", pass.estimator},
             {"error_stress", number(pass.stress)},
+            {"error_pressure", number(pass.pressure)},
             {"true_error_energy", number(pass.true_errors.energy)},
             {"true_error_stress", number(pass.true_errors.stress)},
             {"true_error_pressure", number(pass.true_errors.pressure)},

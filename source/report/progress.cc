@@ -48,7 +48,8 @@ namespace abut
       const ErrorPart part = record.budget.dominant();
       return std::string("error ") + (record.error_is_bound() ? "at most " : "about ") +
              (record.total ? percentage(*record.total) : "unknown") + " (" + record.estimator +
-             "), most of it " + part.name + ", " + percentage(part.error) + asked;
+             "), most of it " + part.name + ", " + percentage(part.error) +
+             (record.pressure ? "; of the pressures about " + percentage(*record.pressure) : "") + asked;
     }
   } // namespace
 

@@ -90,6 +90,7 @@ namespace abut
               {"error_is_bound", pass.error_is_bound()},
               {"estimate_reason", pass.estimate_reason},
               {"stress", number(pass.stress)},
+              {"pressure", number(pass.pressure)},
               {"eta_max", number(pass.eta_max)},
               {"effectivity", number(pass.effectivity())},
               {"effectivity_total", number(pass.effectivity_total)}};

@@ -5,6 +5,8 @@
 #include <abut/contact/law_mismatch.h>
 #include <abut/run/estimate.h>
 #include <abut/run/goal_value.h>
+#include <abut/run/gradings.h>
+#include <abut/run/pressure_marks.h>
 #include <abut/trace/applied_traction.h>
 
 #include <cmath>
@@ -192,13 +194,20 @@ namespace abut
             estimation.why_uncertified = indicator.why_uncertified(*body.body);
       return estimation;
     }
+
+    bool pressures_allow_to_end(const Scene &scene, const Solution &solution)
+    {
+      return !scene.goal.is_energy() ||
+             relative_pressure_error(solution.pairs).value_or(0.) <= scene.tolerance;
+    }
   } // namespace
 
   Estimation estimate_solution(const Setup &setup, Solution &solution, GoalDistance &distance)
   {
     Assert(setup.indicator != nullptr, dealii::ExcMessage("nothing is to be estimated"));
     Estimation estimation = estimate_by(*setup.indicator, setup, solution);
-    if (setup.certifier == nullptr || !distance.is_near(estimation))
+    if (setup.certifier == nullptr || !distance.is_near(estimation) ||
+        !pressures_allow_to_end(setup.scene, solution))
       return estimation;
     Estimation better = estimate_by(*setup.certifier, setup, solution);
     distance.learn(estimation, better);
@@ -210,15 +219,21 @@ namespace abut
     /// How far the error has to go down; somewhat below the tolerance, since a mesh does not keep all that is
     /// expected of it.
     std::vector<CellMarks> marks_for_tolerance(const Scene &scene, const Estimation &estimation,
-                                               const PassRecord &last)
+                                               const Results &results)
     {
       constexpr double safety = .8;
       std::vector<GoalCells> cells;
       for (std::size_t a = 0; a < scene.bodies.size(); ++a)
         cells.push_back({estimation.cell_squares(a), scene.bodies[a].degree, scene.bodies[a].adapt});
       // How a goal of its own follows the energy norm is not known.
-      const double aim = scene.goal.is_energy() ? safety * scene.tolerance / last.error_for_tolerance() : .5;
-      return goal_marks(cells, aim).cells;
+      const double aim = scene.goal.is_energy()
+                             ? safety * scene.tolerance / results.passes.back().error_for_tolerance()
+                             : .5;
+      GoalMarks marks = goal_marks(cells, aim);
+      grade_towards_singularities(cells, aim, results, marks.cells);
+      if (scene.goal.is_energy())
+        mark_pressures(scene, results, scene.tolerance, marks.cells);
+      return std::move(marks.cells);
     }
 
     std::vector<CellMarks> marks_of_bodies(const Scene &scene, const Estimation &estimation,
@@ -238,9 +253,8 @@ namespace abut
     const std::vector<BodyResult> &bodies = results.bodies;
     AssertDimension(bodies.size(), scene.bodies.size());
     const bool for_tolerance = Registry<MarkingEntry>::get().find(scene.adaptation.marking).needs_tolerance;
-    std::vector<CellMarks> marks = for_tolerance
-                                       ? marks_for_tolerance(scene, estimation, results.passes.back())
-                                       : marks_of_bodies(scene, estimation, bodies);
+    std::vector<CellMarks> marks = for_tolerance ? marks_for_tolerance(scene, estimation, results)
+                                                 : marks_of_bodies(scene, estimation, bodies);
     for (const PairResult &pair : results.pairs)
       mark_missed(scene, pair, bodies, marks);
     if (for_tolerance)

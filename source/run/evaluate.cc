@@ -35,6 +35,8 @@ namespace abut
     {
       result.curve.emplace(result.surface->partition(), result.loads, pair.penalty() == 0.);
       result.pressures = result.curve->at_places();
+      if (pair.penalty() == 0.)
+        result.pressure_error = pressure_error(result.surface->partition(), result.loads, result.pressures);
       const Eigen::VectorXd forces = pair.slave_coupling().transpose() * result.loads;
       for (Index i = 0; i < forces.size(); i += 2)
         result.force += forces.segment<2>(i);

@@ -3,6 +3,7 @@
 #include <abut/comparison/true_errors.h>
 #include <abut/run/bound_conditions.h>
 #include <abut/run/pass_record.h>
+#include <abut/run/pressure_marks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,7 @@ namespace abut
     for (const BodyResult &body : solution.bodies)
       record.strain_energy += body.energy;
     add_contact(solution.pairs, record);
+    record.pressure = relative_pressure_error(solution.pairs);
     if (carried)
       record.change = change(setup.model.executor(), solution.bodies, carried->displacements);
     if (setup.indicator != nullptr)

@@ -37,6 +37,8 @@ namespace abut
         return "Goal = " + scene.goal.text() + " is " + short_number(last.goal->value, 6) + ", its error " +
                (total ? "about " + percent(*total) : "not known yet") + asked;
       }
+      if (last.error_for_tolerance() <= scene.tolerance && last.pressure)
+        return "the error of the contact pressures is about " + percent(*last.pressure) + asked;
       const ErrorPart part = last.budget.dominant();
       return std::string("the error is ") + (last.error_is_bound() ? "at most " : "about ") +
              (last.total ? percent(*last.total) : "unknown") + asked + ", most of it " + part.name + " (" +
@@ -93,14 +95,16 @@ namespace abut
   std::string missed_tolerance(const Scene &scene, const PassRecord &last, const std::string &cause,
                                const std::string &way)
   {
-    const std::string part = last.goal ? "" : last.budget.dominant().name;
+    const bool of_energy = !last.goal && last.error_for_tolerance() > scene.tolerance;
+    const std::string part = of_energy ? last.budget.dominant().name : "";
     return cause + ": " + size_of_error(scene, last) + "; " + way_out(part, way);
   }
 
   std::optional<AdaptationEnd> tolerance_end(const Scene &scene, const std::vector<PassRecord> &passes)
   {
     const PassRecord &last = passes.back();
-    if (last.error_for_tolerance() <= scene.tolerance && last.n_missed == 0)
+    if (last.error_for_tolerance() <= scene.tolerance && last.n_missed == 0 &&
+        (last.goal || last.pressure.value_or(0.) <= scene.tolerance))
       return AdaptationEnd{"tolerance", ""};
     const auto missed = [&](const std::string &by, const std::string &cause, const std::string &way) {
       return AdaptationEnd{by, missed_tolerance(scene, last, cause, way)};

@@ -56,8 +56,9 @@ namespace abut
           "given below are kept. 0: the sections below are followed literally.");
       prm.declare_entry(
           "Goal", "energy", dealii::Patterns::Anything(),
-          "What Tolerance belongs to. energy: the displacement of all bodies in the energy norm. force: the "
-          "normal force of all contacts. peak pressure: the largest contact pressure. stress at (x, y): the "
+          "What Tolerance belongs to. energy: the displacement of all bodies in the energy norm, and the "
+          "pressures of contacts without a penalty in L2. force: the normal force of all contacts. peak "
+          "pressure: the largest contact pressure. stress at (x, y): the "
           "von Mises stress at a point of the undeformed bodies; x, y are lengths in the plane.");
     }
 

@@ -76,13 +76,17 @@ namespace
   {
     const Row row = GetParam();
     Errors largest{};
-    double length = 0.;
+    double length = 0., least_ratio = 1e9,
+           largest_ratio = 0.; // of the estimated error of the pressure by the true one
     for (unsigned int position = 0; position < positions; ++position)
     {
       const double approach = approach_of(row, position);
       const SolvedScene scene = solved(row, approach);
       const Errors errors = errors_of(scene, approach);
       length = std::max(length, error_of_length(scene, row, approach));
+      const double ratio = scene.results().passes.back().pressure.value() / errors[2];
+      least_ratio = std::min(least_ratio, ratio);
+      largest_ratio = std::max(largest_ratio, ratio);
       for (std::size_t i = 0; i < errors.size(); ++i)
       {
         EXPECT_TRUE(std::isfinite(errors[i]));
@@ -97,6 +101,10 @@ namespace
       EXPECT_LE(largest[i], 1.3 * row.dual[i]) << "error " << i;
     std::cout << "  contact length: within " << length << " of a part\n";
     EXPECT_LE(length, .2); // whole parts would be within one
+    std::cout << "  estimated by true error of the pressure: " << least_ratio << " to " << largest_ratio
+              << '\n';
+    EXPECT_GE(least_ratio, .6); // where the end lies within its part is a matter of luck, and not seen
+    EXPECT_LE(largest_ratio, 10.);
     EXPECT_LE(largest[2], .9 * row.dual[2]) << "the pressure has the square root at its end";
   }
 

@@ -34,6 +34,11 @@ namespace
       {
         EXPECT_GE(truth, .2 * tolerance);
       }
+      if (results.passes.back().pressure && results.true_errors.pressure)
+      {
+        EXPECT_LE(*results.passes.back().pressure, tolerance);
+        EXPECT_LE(*results.true_errors.pressure, 1.4 * tolerance); // an estimate, no bound
+      }
     }
     /// The penalty alone is above: the run says so, and how large it is.
     void expect_refused(const abut::Results &results, const double tolerance) const
@@ -55,8 +60,10 @@ namespace
       ASSERT_TRUE(results.true_errors.energy && results.adaptation_end);
       std::cout << std::left << std::setw(28) << scene_.name << std::right << std::setw(8) << tolerance
                 << std::setw(12) << std::setprecision(3) << *results.true_errors.energy << std::setw(4)
-                << results.passes.size() << " passes" << std::setw(8) << results.passes.back().counts.dofs
-                << " unknowns  " << results.adaptation_end->stopped_by << '\n'
+                << results.passes.size() << " passes, pressure" << std::setw(12)
+                << results.true_errors.pressure.value_or(0.) << std::setw(8)
+                << results.passes.back().counts.dofs << " unknowns  " << results.adaptation_end->stopped_by
+                << '\n'
                 << std::flush;
       if (scene_.has_penalty && tolerance < .04)
         expect_refused(results, tolerance);

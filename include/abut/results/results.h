@@ -16,6 +16,7 @@
 #include <abut/results/times.h>
 #include <abut/scene/scene.h>
 #include <abut/trace/pressure_curve.h>
+#include <abut/trace/pressure_error.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -56,15 +57,16 @@ namespace abut
   {
     const ContactPair *pair = nullptr;
     const ContactSurface *surface = nullptr;
-    std::vector<std::size_t> parts;     ///< of the pair, along the cut side
-    Eigen::VectorXd gaps;               ///< mean gap of every part, negative: penetration
-    Eigen::VectorXd loads;              ///< p_k >= 0, in balance with the displacement
-    double round_off = 0.;              ///< a load that is none, beside those of all pairs
-    Eigen::VectorXd pressures;          ///< as reported, at the parts' places (see PressureCurve)
-    std::optional<PressureCurve> curve; ///< the same between them
-    Vector2 force = Vector2::Zero();    ///< resultant on the slave side
-    double normal_force = 0.;           ///< sum of D_k p_k
-    double max_pressure = 0.;           ///< largest reported pressure
+    std::vector<std::size_t> parts;              ///< of the pair, along the cut side
+    Eigen::VectorXd gaps;                        ///< mean gap of every part, negative: penetration
+    Eigen::VectorXd loads;                       ///< p_k >= 0, in balance with the displacement
+    double round_off = 0.;                       ///< a load that is none, beside those of all pairs
+    Eigen::VectorXd pressures;                   ///< as reported, at the parts' places (see PressureCurve)
+    std::optional<PressureCurve> curve;          ///< the same between them
+    std::optional<PressureError> pressure_error; ///< of the reported pressures; none with a penalty
+    Vector2 force = Vector2::Zero();             ///< resultant on the slave side
+    double normal_force = 0.;                    ///< sum of D_k p_k
+    double max_pressure = 0.;                    ///< largest reported pressure
     double contact_length =
         0.; ///< sum of D_k over the parts with a load, or that penetrate, up to the ends that `curve` knows
     double max_penetration = 0.; ///< largest -g_k, 0 without contact
@@ -117,14 +119,15 @@ namespace abut
     std::optional<double> eta_max; ///< over the cells of the adapted bodies (of all, where none adapts)
     std::optional<double> discretisation; ///< estimated, energy norm
     std::optional<double> stress;         ///< the same in L2 over xx, yy, zz and twice xy
-    std::optional<double> total;          ///< root of the squares of discretisation and iteration; with fe-be
-                                          ///< the bound of both together (Estimation::bound)
-    std::optional<GoalRecord> goal;       ///< where the scene has a goal of its own
-    ErrorBudget budget;                   ///< what the error is made of
-    std::optional<double> staying;        ///< the part of the estimated error in bodies that do not adapt
-    bool is_certified = false;            ///< by boundary elements, in all bodies
-    std::string estimator;                ///< whose word the estimate is: fe-be, kelly, ...
-    std::string estimate_reason;          ///< why `total` is an estimate and no bound; empty where it is one
+    std::optional<double> pressure; ///< of the reported pressures, L2 over all contacts, see PressureError
+    std::optional<double> total;    ///< root of the squares of discretisation and iteration; with fe-be
+                                    ///< the bound of both together (Estimation::bound)
+    std::optional<GoalRecord> goal; ///< where the scene has a goal of its own
+    ErrorBudget budget;             ///< what the error is made of
+    std::optional<double> staying;  ///< the part of the estimated error in bodies that do not adapt
+    bool is_certified = false;      ///< by boundary elements, in all bodies
+    std::string estimator;          ///< whose word the estimate is: fe-be, kelly, ...
+    std::string estimate_reason;    ///< why `total` is an estimate and no bound; empty where it is one
     TrueErrors true_errors;
     std::optional<EstimatorQuality> quality; ///< of the indicator, where sigma* is known
     std::optional<double> effectivity_total; ///< total by true_errors.energy

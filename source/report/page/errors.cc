@@ -109,15 +109,15 @@ namespace abut
     {
       HtmlTable table{"Passes; errors are relative",
                       {"pass", "cells", "unknowns", "steps", "eta max", "estimated", "iteration", "total",
-                       "true, energy", "true, stress", "true, pressure", "effectivity", "of total",
-                       "normal force", "peak pressure", "seconds"},
+                       "pressure", "true, energy", "true, stress", "true, pressure", "effectivity",
+                       "of total", "normal force", "peak pressure", "seconds"},
                       {}};
       for (const PassRecord &pass : passes)
         table.rows.push_back(
             {std::to_string(pass.pass), std::to_string(pass.counts.cells), std::to_string(pass.counts.dofs),
              has_contact ? std::to_string(pass.steps) : "-", html_number(pass.eta_max, "-", 3),
              html_percent(pass.discretisation, "-"), has_contact ? html_percent(pass.iteration) : "-",
-             total_cell(pass), html_percent(pass.true_errors.energy, "-"),
+             total_cell(pass), html_percent(pass.pressure, "-"), html_percent(pass.true_errors.energy, "-"),
              html_percent(pass.true_errors.stress, "-"), html_percent(pass.true_errors.pressure, "-"),
              html_number(pass.effectivity(), "-", 3), html_number(pass.effectivity_total, "-", 3),
              has_contact ? html_number(pass.normal_force, 6) : "-",

@@ -57,7 +57,8 @@ namespace abut
             "(p) edges of cells against the curves that they stand for, energy norm"},
            {"error_bound", "relative",
             "(p) bound of the whole error, energy norm; empty where there is none"},
-           {"error_estimate", "relative", "(p) root of the squares of the parts, energy norm"}}};
+           {"error_estimate", "relative", "(p) root of the squares of the parts, energy norm"},
+           {"error_pressure", "relative", "(p) estimated, of the reported pressures of all contacts, L2"}}};
     }
 
     CsvDescription contact_file()

@@ -57,6 +57,7 @@ namespace abut
          "the estimator: fe-be, kelly, ...; several where bodies differ (fe-be, kelly); empty where "
          "nothing was estimated"},
         {at + "error_stress", "number or null", "relative", "as `error.stress`"},
+        {at + "error_pressure", "number or null", "relative", "as `error.pressure`"},
         {at + "true_error_energy", "number or null", "relative", "as `true_error.energy`"},
         {at + "true_error_stress", "number or null", "relative", "as `true_error.stress`"},
         {at + "true_error_pressure", "number or null", "relative", "as `true_error.pressure`"},

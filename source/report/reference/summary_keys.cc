@@ -153,6 +153,10 @@ namespace abut
            "why it is none; empty where it is one, or nothing was estimated"},
           {"error.stress", "number or null", "relative",
            "estimated, L2 of the stress over xx, yy, zz and twice xy"},
+          {"error.pressure", "number or null", "relative",
+           "estimated, of the reported pressures of all contacts, L2, from these alone; null with a penalty, "
+           "and "
+           "where the pressure is infinite at an edge"},
           {"error.eta_max", "number or null", "relative",
            "largest eta of a cell of the bodies that adapt: its stress error by the mean stress of its body"},
           {"error.effectivity", "number or null", "no unit",
