@@ -8,6 +8,8 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <numeric>
+#include <set>
 #include <tbb/parallel_for.h>
 #include <utility>
 
@@ -54,28 +56,52 @@ namespace abut
       std::rethrow_exception(failure);
   }
 
-  std::vector<unsigned int> least_loaded(const std::vector<double> &costs, const std::vector<bool> &stay,
-                                         std::vector<unsigned int> before, const unsigned int n_processes)
+  namespace
   {
-    AssertDimension(costs.size(), stay.size());
+    double cost_of_each(const BodyLoad &body)
+    {
+      return body.cost / body.n_processes;
+    }
+
+    /// The ranks with the least to do.
+    Ranks least(const std::vector<double> &loads, const unsigned int n)
+    {
+      AssertIndexRange(n, loads.size() + 1);
+      Ranks ranks(loads.size());
+      std::iota(ranks.begin(), ranks.end(), 0u);
+      std::stable_sort(ranks.begin(), ranks.end(),
+                       [&](const unsigned int r, const unsigned int s) { return loads[r] < loads[s]; });
+      ranks.resize(n);
+      std::sort(ranks.begin(), ranks.end());
+      return ranks;
+    }
+  } // namespace
+
+  std::vector<Ranks> least_loaded(const std::vector<BodyLoad> &bodies, std::vector<Ranks> before,
+                                  const unsigned int n_processes)
+  {
     std::vector<double> loads(n_processes, 0.);
     std::vector<std::size_t> movable;
-    std::vector<unsigned int> owners = std::move(before);
-    owners.resize(costs.size(), 0);
-    for (std::size_t a = 0; a < costs.size(); ++a)
-      if (stay[a])
-        loads[owners[a]] += costs[a];
+    std::vector<Ranks> homes = std::move(before);
+    homes.resize(bodies.size());
+    const auto add = [&](const std::size_t a) {
+      for (const unsigned int rank : homes[a])
+        loads[rank] += cost_of_each(bodies[a]);
+    };
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+      if (bodies[a].stays)
+        add(a);
       else
         movable.push_back(a);
-    std::stable_sort(movable.begin(), movable.end(),
-                     [&](const std::size_t a, const std::size_t b) { return costs[a] > costs[b]; });
+    std::stable_sort(movable.begin(), movable.end(), [&](const std::size_t a, const std::size_t b) {
+      return cost_of_each(bodies[a]) > cost_of_each(bodies[b]);
+    });
     for (const std::size_t a : movable)
     {
-      const auto least = std::min_element(loads.begin(), loads.end());
-      owners[a] = static_cast<unsigned int>(least - loads.begin());
-      *least += costs[a];
+      homes[a] = least(loads, bodies[a].n_processes);
+      add(a);
     }
-    return owners;
+    return homes;
   }
 
   Executor::Executor(std::shared_ptr<Processes> processes) : processes_(std::move(processes))
@@ -86,19 +112,65 @@ namespace abut
     rank_ = processes_->rank();
   }
 
+  void Executor::assign(const std::vector<BodyLoad> &bodies)
+  {
+    if (!processes_)
+      return;
+    homes_ = least_loaded(bodies, std::move(homes_), n_processes_);
+    groups_.resize(bodies.size());
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+      if (!bodies[a].stays)
+        groups_[a] = homes_[a].size() > 1 ? processes_->group(homes_[a]) : nullptr;
+  }
+
+  unsigned int Executor::n_busy(const std::vector<std::size_t> &bodies) const
+  {
+    if (!processes_)
+      return 1;
+    std::set<unsigned int> busy;
+    for (const std::size_t a : bodies)
+      busy.insert(homes_[a].begin(), homes_[a].end());
+    return static_cast<unsigned int>(busy.size());
+  }
+
+  std::exception_ptr Executor::take_shared_turns(const std::function<void(std::size_t)> &turn) const
+  {
+    std::exception_ptr failure;
+    for (std::size_t a = 0; a < groups_.size(); ++a)
+      if (groups_[a])
+        try
+        {
+          groups_[a]->run([&]() {
+            if (failure) // the others wait for this process in the turns to come
+              std::rethrow_exception(failure);
+            turn(a);
+          });
+        }
+        catch (...)
+        {
+          failure = std::current_exception();
+        }
+    return failure;
+  }
+
   void Executor::exchange(const std::size_t n_bodies, const std::function<void(std::size_t)> &turn,
                           const std::size_t type,
                           const std::function<void(Archive &, std::size_t)> &pass) const
   {
-    AssertDimension(n_bodies, owners_.size());
+    AssertDimension(n_bodies, homes_.size());
     Bytes own;
-    std::exception_ptr failure;
+    std::exception_ptr failure = take_shared_turns(turn);
     try
     {
-      for_each(n_bodies, turn);
+      if (failure)
+        std::rethrow_exception(failure);
+      for_each(n_bodies, [&](const std::size_t a) {
+        if (tells_of(a) && homes_[a].size() == 1)
+          turn(a);
+      });
       Archive archive(own, Archive::Direction::pack);
       for (std::size_t a = 0; a < n_bodies; ++a)
-        if (is_here(a))
+        if (tells_of(a))
           pass(archive, a);
     }
     catch (...)
@@ -112,7 +184,7 @@ namespace abut
         continue;
       Archive archive(all[rank], Archive::Direction::unpack);
       for (std::size_t a = 0; a < n_bodies; ++a)
-        if (owners_[a] == rank)
+        if (homes_[a].front() == rank)
           pass(archive, a);
     }
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/communicator.h>
 #include <abut/base/processes.h>
 #include <abut/base/user_error.h>
 
 #include <algorithm>
-#include <mpi.h>
+#include <iostream>
 #include <new>
 
 namespace abut
@@ -47,11 +48,17 @@ namespace abut
       }
       catch (const std::bad_alloc &)
       {
+        text = "out of memory";
         return out_of_memory;
       }
       catch (const std::exception &error)
       {
         text = error.what();
+        return other;
+      }
+      catch (...) // Trilinos throws numbers
+      {
+        text = "an error of a library";
         return other;
       }
     }
@@ -77,34 +84,58 @@ namespace abut
     }
 
     /// Gives everybody the bytes of one process; their number is known. MPI counts in int.
-    void broadcast(Bytes &bytes, const int from)
+    void broadcast(Bytes &bytes, const int from, const MPI_Comm communicator)
     {
       constexpr std::size_t at_once = std::size_t(1) << 30;
       for (std::size_t begin = 0; begin < bytes.size(); begin += at_once)
         MPI_Bcast(bytes.data() + begin, static_cast<int>(std::min(at_once, bytes.size() - begin)), MPI_BYTE,
-                  from, MPI_COMM_WORLD);
+                  from, communicator);
+    }
+
+    /// MPI's, of all processes.
+    std::unique_ptr<Communicator> initialised()
+    {
+      int provided = 0;
+      MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+      return std::make_unique<Communicator>(MPI_COMM_WORLD);
     }
   } // namespace
 
-  Processes::Processes(const Launch &launch)
+  Communicator::~Communicator()
   {
-    int provided = 0, size = 1, rank = 0;
-    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    size_ = static_cast<unsigned int>(size);
-    rank_ = static_cast<unsigned int>(rank);
-    if (size == launch.n_processes)
-      return;
-    MPI_Finalize();
-    throw UserError("received " + std::to_string(launch.n_processes) +
-                    " processes, of which the MPI library of this program sees " + std::to_string(size) +
-                    "; start them with the mpirun of that library (Open MPI)");
+    if (handle_ == MPI_COMM_WORLD)
+      MPI_Finalize();
+    else
+      MPI_Comm_free(&handle_);
   }
 
-  Processes::~Processes()
+  Processes::Processes(std::unique_ptr<Communicator> communicator) : communicator_(std::move(communicator))
   {
-    MPI_Finalize();
+    int size = 1, rank = 0;
+    MPI_Comm_size(communicator_->handle(), &size);
+    MPI_Comm_rank(communicator_->handle(), &rank);
+    size_ = static_cast<unsigned int>(size);
+    rank_ = static_cast<unsigned int>(rank);
+  }
+
+  Processes::Processes(const Launch &launch) : Processes(initialised())
+  {
+    if (static_cast<int>(size_) != launch.n_processes)
+      throw UserError("received " + std::to_string(launch.n_processes) +
+                      " processes, of which the MPI library of this program sees " + std::to_string(size_) +
+                      "; start them with the mpirun of that library (Open MPI)");
+  }
+
+  Processes::~Processes() = default;
+
+  std::shared_ptr<Processes> Processes::group(const std::vector<unsigned int> &ranks) const
+  {
+    const bool is_in = std::binary_search(ranks.begin(), ranks.end(), rank_);
+    MPI_Comm handle = MPI_COMM_NULL;
+    MPI_Comm_split(communicator_->handle(), is_in ? 0 : MPI_UNDEFINED, static_cast<int>(rank_), &handle);
+    if (!is_in)
+      return nullptr;
+    return std::shared_ptr<Processes>(new Processes(std::make_unique<Communicator>(handle)));
   }
 
   std::vector<Bytes> Processes::exchange(Bytes own, const std::exception_ptr &failure,
@@ -118,10 +149,11 @@ namespace abut
       own.assign(text.begin(), text.end());
     const Announcement announced{meeting, own.size(), kind};
     std::vector<Announcement> all(size_);
-    MPI_Allgather(&announced, n_words, MPI_UINT64_T, all.data(), n_words, MPI_UINT64_T, MPI_COMM_WORLD);
+    MPI_Allgather(&announced, n_words, MPI_UINT64_T, all.data(), n_words, MPI_UINT64_T,
+                  communicator_->handle());
     const auto bytes_of = [&](const std::size_t rank) {
       Bytes bytes = rank == rank_ ? std::move(own) : Bytes(all[rank].size);
-      broadcast(bytes, static_cast<int>(rank));
+      broadcast(bytes, static_cast<int>(rank), communicator_->handle());
       return bytes;
     };
 
@@ -150,8 +182,30 @@ namespace abut
     return bytes;
   }
 
+  void Processes::together(const std::uint64_t meeting, const std::function<void()> &f)
+  {
+    exchange({}, nullptr, meeting);
+    try
+    {
+      f();
+    }
+    catch (const ComputationError &)
+    {
+      throw;
+    }
+    catch (...)
+    {
+      std::string text;
+      kind_of(std::current_exception(), text);
+      std::cerr << "abut: process " + std::to_string(rank_) + " of the " + std::to_string(size_) +
+                       " that share a body could not go on: " + text + '\n';
+      MPI_Abort(communicator_->handle(), 2);
+    }
+  }
+
   void Processes::run(const std::function<void()> &f)
   {
+    ended_by_ = nullptr;
     std::exception_ptr failure;
     try
     {

@@ -14,9 +14,15 @@ namespace abut
     constexpr Index columns_at_once = 256;    // of forces and displacements on the contact sides
     constexpr double largest_matrix = 1.25e8; // entries, 1 GB
 
-    /// How much dearer a response to one force is than its share in a response to many (measured by `abut
-    /// schemes` with either compliance).
-    constexpr double price_of_one = 4.;
+    /// How much dearer a response to one force is than its share in a response to many: with a factor
+    /// measured by `abut schemes` with either compliance; iterations of several processes gain nothing.
+    double price_of_one(const InterfaceProblem &problem)
+    {
+      for (std::size_t a = 0; a < problem.bodies().size(); ++a)
+        if (problem.executor().n_processes_of(a) > 1)
+          return 1.;
+      return 4.;
+    }
 
     class ComplianceBySolves : public InterfaceCompliance
     {
@@ -187,11 +193,12 @@ namespace abut
   {
     const auto [solves, entries] = cost_of_blocks(problem);
     const bool fits = entries <= largest_matrix;
+    const double price = price_of_one(problem);
     if (mode == ComplianceMode::dense ||
-        (mode == ComplianceMode::automatic && fits && solves <= price_of_one * expected_solves))
+        (mode == ComplianceMode::automatic && fits && solves <= price * expected_solves))
       return std::make_unique<DenseCompliance>(problem);
     if (mode == ComplianceMode::automatic && fits)
-      return std::make_unique<SwitchingCompliance>(problem, solves / price_of_one);
+      return std::make_unique<SwitchingCompliance>(problem, solves / price);
     return std::make_unique<ComplianceBySolves>(problem);
   }
 } // namespace abut

@@ -35,6 +35,7 @@ namespace abut
       for (const auto &[boundary, force] : result.reactions.by_boundary)
         reactions[boundary] = components(force);
       return {{"name", result.body->name()},
+              {"processes", result.n_processes},
               {"cells", counts.cells},
               {"dofs", counts.dofs},
               {"boundary_dofs", counts.boundary_dofs},
@@ -181,7 +182,8 @@ namespace abut
                                        {"assemblies", counters.assemblies},
                                        {"factorisations", counters.factorisations},
                                        {"solves", counters.solves},
-                                       {"mortars", counters.mortars}};
+                                       {"mortars", counters.mortars},
+                                       {"iterations", counters.iterations}};
       }
       return {{"bodies", bodies},
               {"mpi_initialised", mpi_is_initialised()},

@@ -25,7 +25,8 @@ namespace abut
       return executor.of_bodies(results.bodies.size(), [&](const std::size_t a) {
         const OutputPatches output = output_patches(results.bodies[a]);
         const FieldFile file{"solution_" + results.bodies[a].body->name() + ".vtu", arrays_of(output)};
-        write_file(directory / file.name, vtu(output));
+        if (executor.tells_of(a))
+          write_file(directory / file.name, vtu(output));
         return file;
       });
     }

@@ -174,6 +174,7 @@ namespace abut
       bodies[a].peaks = values[a].peaks;
       bodies[a].condition = values[a].condition;
       bodies[a].counters = values[a].counters;
+      bodies[a].n_processes = executor.n_processes_of(a);
     }
   }
 } // namespace abut

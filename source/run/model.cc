@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/contact/pressure_profile.h>
+#include <abut/run/homes.h>
 #include <abut/run/model.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace abut
 {
@@ -71,11 +71,10 @@ namespace abut
 
   void Model::assign_bodies()
   {
-    constexpr double growth = 1.25; // of the seconds for a factor, from 10 thousand to a million unknowns
-    std::vector<double> costs;
-    for (const auto &body : bodies_)
-      costs.push_back(std::pow(static_cast<double>(body->counts().dofs), growth));
-    executor_.assign(costs, is_prepared_);
+    executor_.assign(body_loads(bodies_, is_prepared_, executor_));
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      if (!is_prepared_[a])
+        bodies_[a]->share(executor_.sharing(a));
   }
 
   void Model::make_problem()

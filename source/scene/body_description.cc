@@ -26,6 +26,10 @@ namespace abut
       prm.declare_entry("Adapt", "false", Patterns::Bool(),
                         "Whether the mesh follows the error that Adaptation/Estimator tells.");
       prm.declare_entry(
+          "Processes", "0", Patterns::Integer(0),
+          "Of those that mpirun starts, how many share the body's stiffness. 0: one, or all where the "
+          "factor does not fit into one's memory. A run without mpirun does not ask.");
+      prm.declare_entry(
           "Nonconforming edges", "hanging nodes", Patterns::Selection("hanging nodes|mortar"),
           "How edges between a cell and finer ones are joined: the nodes that hang there follow "
           "the others, or both sides have their own displacements, equal in the mean (section "
@@ -109,6 +113,7 @@ namespace abut
     body.placement = parse_placement(prm, where);
     body.degree = parse_degree(prm, context.default_degree, body.cell_type, where);
     body.adapt = prm.get_bool("Adapt");
+    body.n_processes = static_cast<unsigned int>(prm.get_integer("Processes"));
     parse_material(prm, body, context.materials, where);
     parse_glued_parts(prm, body, context.parts, where);
     body.allow_locking = prm.get_bool("Allow locking");

@@ -76,6 +76,7 @@ namespace abut
       return {{body, "Method", "", "", elements_page},
               {body, "Degree", "", "", elements_page},
               {body, "Adapt", "", "", "../README.md#adaptive-meshes"},
+              {body, "Processes", "", "", "processes.md#a-body-in-several-processes"},
               {body, "Nonconforming edges", "", "", edges_page},
               {body, "Young modulus", "stress", positive_number, "method.md#the-problem"},
               {body, "Poisson ratio", "no unit", "a number above -1 and below 0.5", elements_page},

@@ -42,6 +42,43 @@ namespace
     }
   }
 
+  TEST(OneMessage, OfABodyInMoreProcessesThanThereAre)
+  {
+    expect_refused(run_processes({{2, with_override("Body lower/Processes=3")}}),
+                   {scene, "Body lower/Processes: received 3, but this run has only 2", "mpirun -np 3"});
+    EXPECT_EQ(run(with_override("Body lower/Processes=3")).status, 0); // alone it is not asked for
+  }
+
+  TEST(OneMessage, OfABodyInSeveralProcessesThatCannotBeSolved)
+  {
+    for (const std::string material : {"Young modulus=1e308", "Poisson ratio=0.49999999999999994"})
+    {
+      std::vector<std::string> arguments = with_override("Body upper/" + material);
+      arguments.insert(arguments.end(),
+                       {"--set", "Body upper/Processes=2", "--set", "Body lower/Processes=2"});
+      const Answer answer = run_processes({{2, arguments}});
+      EXPECT_EQ(answer.status, 2) << material;
+      EXPECT_EQ(lines(answer.err).size(), 1u) << answer.err;
+      EXPECT_NE(answer.err.find("Body upper: "), std::string::npos) << answer.err;
+      EXPECT_TRUE(answer.summary.is_null());
+    }
+  }
+
+  TEST(OneMessage, OfWhatOneOfTheProcessesOfABodyCannotWrite)
+  {
+    // The first process writes the file, in a turn that the others take too.
+    const std::filesystem::path folder = std::filesystem::path(temporary_file("marker", "")).parent_path();
+    std::filesystem::create_directories(folder / "solution_lower.vtu" / "taken");
+    std::vector<std::string> arguments = with_override("Body lower/Processes=3");
+    arguments.insert(arguments.end(), {"--set", "Body upper/Processes=2"});
+    const Answer answer = run_processes_in(folder, {{3, arguments}}),
+                 alone = run_in(folder, {scene, "--quiet"});
+    EXPECT_NE(alone.status, 0);
+    EXPECT_EQ(answer.status, alone.status);
+    EXPECT_EQ(lines(answer.err).size(), 1u) << answer.err;
+    EXPECT_NE(answer.err.find("solution_lower.vtu"), std::string::npos) << answer.err;
+  }
+
   TEST(OneMessage, OfABodyThatCannotBeFactorised)
   {
     for (const std::string body : {"upper", "lower"}) // one of them lives in the second process

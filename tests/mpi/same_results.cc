@@ -24,13 +24,17 @@ namespace
     std::vector<std::string> overrides;
     std::size_t n_elastic;
     bool has_hanging_nodes = false;
+    std::vector<std::string> in_all = {}; ///< bodies that live in all processes
+    bool iterates = true;                 ///< where these are solved together
   };
 
-  /// What differs from run to run: seconds, memory, what belongs to the number of processes.
+  /// What differs from run to run: seconds, memory, what belongs to the number of processes; and with the way
+  /// in which bodies are solved for the number of solves and what round-off or a residual leaves.
   bool is_compared(const std::string &key)
   {
-    static const std::set<std::string> others = {"processes",       "peak_memory_mb", "time_s",
-                                                 "mpi_initialised", "left_out",       "warnings"};
+    static const std::set<std::string> others = {
+        "processes", "peak_memory_mb", "time_s", "mpi_initialised",  "left_out",
+        "warnings",  "iterations",     "solves", "dense_compliance", "linear_algebra"};
     const bool is_seconds = key.size() > 2 && key.compare(key.size() - 2, 2, "_s") == 0;
     return !is_seconds && others.count(key) == 0;
   }
@@ -95,6 +99,27 @@ namespace
     return arguments;
   }
 
+  std::vector<std::string> in_all(const SharedScene &scene, const unsigned int n)
+  {
+    std::vector<std::string> arguments;
+    for (const std::string &body : scene.in_all)
+      arguments.insert(arguments.end(), {"--set", "Body " + body + "/Processes=" + std::to_string(n)});
+    return arguments;
+  }
+
+  /// In how many processes every body lived, and whether its equations were iterated.
+  void expect_homes(const SharedScene &scene, const json &summary, const unsigned int n)
+  {
+    for (const json &body : summary["bodies"])
+    {
+      const std::string name = body["name"];
+      const bool is_in_all = std::count(scene.in_all.begin(), scene.in_all.end(), name) > 0;
+      EXPECT_EQ(body["processes"], is_in_all ? n : 1) << name;
+      EXPECT_EQ(summary["counters"]["bodies"][name]["iterations"] > 0, is_in_all && n > 1 && scene.iterates)
+          << name;
+    }
+  }
+
   class SharedRun : public ::testing::TestWithParam<SharedScene>
   {};
 
@@ -113,7 +138,7 @@ namespace
     for (const unsigned int n : {1u, 2u, 3u, 4u})
     {
       SCOPED_TRACE(std::to_string(n) + " processes");
-      const Answer shared = run_processes({{n, arguments}});
+      const Answer shared = run_processes({{n, with(arguments, in_all(scene, n))}});
       ASSERT_EQ(shared.status, 0) << shared.err;
       EXPECT_EQ(shared.summary["processes"], n);
       EXPECT_EQ(shared.summary["counters"]["mpi_initialised"], n > 1);
@@ -136,7 +161,9 @@ namespace
                            column(shared.directory + file, "pressure"), file);
       }
       expect_same_fields(serial, shared);
-      EXPECT_EQ(warning_codes(shared).count("idle-processes"), n > std::max<std::size_t>(scene.n_elastic, 1));
+      expect_homes(scene, shared.summary, n);
+      EXPECT_EQ(warning_codes(shared).count("idle-processes"),
+                scene.in_all.empty() && n > std::max<std::size_t>(scene.n_elastic, 1));
       const std::vector<std::string> told = lines(shared.out);
       EXPECT_EQ(std::count(told.begin(), told.end(), "  Results are in " + shared.directory), 1);
     }
@@ -156,6 +183,36 @@ namespace
       {"combined", "prm/two-layers-paper.prm", {}, 2},
       {"one_elastic_body", "prm/flat-punch.prm", {"Output/Condition numbers=true"}, 1}};
 
+  const std::vector<std::string> thin = {"Body upper/Cells=2, 50", "Body lower/Cells=3, 75"}; // 100:1
+
+  const std::vector<SharedScene> scenes_in_all = {
+      {"both_layers", "prm/two-layers-rollers.prm", {}, 2, false, {"upper", "lower"}},
+      {"hanging_nodes_by_fe_be", "prm/two-layers-rollers.prm", adaptive, 2, true, {"lower", "upper"}},
+      {"penalised",
+       "prm/two-layers-rollers.prm",
+       with(adaptive, {"Contact interface/Penalty coefficient=0.05"}),
+       2,
+       true,
+       {"lower", "upper"}},
+      {"one_of_three_bodies", "prm/three-bodies.prm", {}, 3, false, {"foundation"}},
+      {"floating_disc", "prm/v-groove.prm", {}, 3, false, {"disc"}},
+      {"degree_3",
+       "prm/two-layers-rollers.prm",
+       {"Discretisation/Degree=3", "Body upper/Cells=32, 8", "Body lower/Cells=40, 10"},
+       2,
+       false,
+       {"lower"}},
+      {"nearly_incompressible",
+       "prm/two-layers-rollers.prm",
+       {"Body upper/Poisson ratio=0.4999", "Body lower/Poisson ratio=0.4999"},
+       2,
+       false,
+       {"upper", "lower"},
+       false},
+      {"thin_cells", "prm/two-layers-rollers.prm", thin, 2, false, {"upper", "lower"}, false}};
+
+  INSTANTIATE_TEST_SUITE_P(BodiesInAll, SharedRun, ::testing::ValuesIn(scenes_in_all),
+                           [](const auto &scene) { return scene.param.name; });
   INSTANTIATE_TEST_SUITE_P(Scenes, SharedRun, ::testing::ValuesIn(scenes),
                            [](const auto &scene) { return scene.param.name; });
 } // namespace

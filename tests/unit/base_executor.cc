@@ -78,17 +78,27 @@ namespace
       EXPECT_EQ(names[a], std::to_string(a));
   }
 
+  using Homes = std::vector<Ranks>;
+
   TEST(Executor, SharesBodiesByTheirCosts)
   {
-    using Owners = std::vector<unsigned int>;
-    const std::vector<bool> move(5, false);
+    const std::vector<BodyLoad> equal(5, {1.});
     // 5 + 2 + 1 and 4 + 3: the dearest first, each where there is the least to do.
-    EXPECT_EQ(least_loaded({1., 2., 5., 4., 3.}, move, {}, 2), (Owners{0, 0, 0, 1, 1}));
-    EXPECT_EQ(least_loaded({1., 1., 1., 1., 1.}, move, {}, 3), (Owners{0, 1, 2, 0, 1}));
-    EXPECT_EQ(least_loaded({1., 1., 1., 1., 1.}, move, {}, 1), (Owners{0, 0, 0, 0, 0}));
-    EXPECT_EQ(least_loaded({2., 1.}, {false, false}, {}, 4), (Owners{0, 1}));
+    EXPECT_EQ(least_loaded({{1.}, {2.}, {5.}, {4.}, {3.}}, {}, 2), (Homes{{0}, {0}, {0}, {1}, {1}}));
+    EXPECT_EQ(least_loaded(equal, {}, 3), (Homes{{0}, {1}, {2}, {0}, {1}}));
+    EXPECT_EQ(least_loaded(equal, {}, 1), (Homes{{0}, {0}, {0}, {0}, {0}}));
+    EXPECT_EQ(least_loaded({{2.}, {1.}}, {}, 4), (Homes{{0}, {1}}));
     // Those that stay are a load already.
-    EXPECT_EQ(least_loaded({3., 1., 1.}, {true, false, false}, {1, 0, 1}, 2), (Owners{1, 0, 0}));
+    EXPECT_EQ(least_loaded({{3., true}, {1.}, {1.}}, {{1}, {0}, {1}}, 2), (Homes{{1}, {0}, {0}}));
+  }
+
+  TEST(Executor, GivesABodySeveralProcesses)
+  {
+    // 6 by three of four processes are 2 in each, less than 3 in the other one.
+    EXPECT_EQ(least_loaded({{6., false, 3}, {1.}, {3.}}, {}, 4), (Homes{{1, 2, 3}, {1}, {0}}));
+    EXPECT_EQ(least_loaded({{6., false, 4}, {1.}}, {}, 4), (Homes{{0, 1, 2, 3}, {0}}));
+    // One that stays is a load in all of its processes.
+    EXPECT_EQ(least_loaded({{6., true, 2}, {1.}}, {{0, 2}, {}}, 3), (Homes{{0, 2}, {1}}));
   }
 
   TEST(Executor, RunsOnAfterAnException)

@@ -7,12 +7,19 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace abut
 {
+  class Communicator;
+
   /**
-   * The processes of one run: MPI, of which this class is the only user. All of them do the same things in
-   * the same order, but for the turns of bodies (see Executor), and meet in `exchange`.
+   * The processes of one run, or those that share a body: MPI, which nobody else uses but the libraries that
+   * `communicator` is handed to. All of them do the same things in the same order, but for the turns of
+   * bodies (see Executor), and meet in `exchange`.
    *
    * An error in any of them ends them all: it is told to the others where they meet next, and thrown there.
    * So nobody waits for one that has failed, and as all have the same error, one is enough to print it.
@@ -20,28 +27,65 @@ namespace abut
   class Processes
   {
   public:
-    /// Initialises MPI. Throws UserError where MPI knows of other processes than the launch.
+    /// Those of the run: initialises MPI, which ends with the object. Throws UserError where MPI knows of
+    /// other processes than the launch.
     explicit Processes(const Launch &launch);
-    /// Ends MPI.
     ~Processes();
     Processes(const Processes &) = delete;
     Processes &operator=(const Processes &) = delete;
 
     unsigned int size() const { return size_; }
     unsigned int rank() const { return rank_; }
+    const Communicator &communicator() const { return *communicator_; }
+
+    /// Those with the given ranks, which increase, as processes of their own, numbered in the same order;
+    /// null in all others. All processes have to ask for it.
+    std::shared_ptr<Processes> group(const std::vector<unsigned int> &ranks) const;
 
     /**
      * Everybody's bytes, by rank. `failure`: what has gone wrong here instead, or null. `meeting`: what the
-     * bytes are; all processes must say the same. Throws the failure of the lowest rank that has one, as a
-     * UserError, ComputationError, std::bad_alloc or std::runtime_error, in all processes.
+     * bytes are, not 0; all processes must say the same. Throws the failure of the lowest rank that has one,
+     * as a UserError, ComputationError, std::bad_alloc or std::runtime_error, in all processes.
      */
     std::vector<Bytes> exchange(Bytes own, const std::exception_ptr &failure, std::uint64_t meeting);
 
-    /// Runs f, in all processes, and waits for the others, which are not met again. Throws what has gone
-    /// wrong in any of them.
+    /// Everybody's value of what f returns, by rank: f is this process's own work. See `exchange`.
+    template <typename Function> auto collect(const std::uint64_t meeting, const Function &f)
+    {
+      using T = std::decay_t<decltype(f())>;
+      T own;
+      Bytes packed;
+      std::exception_ptr failure;
+      try
+      {
+        own = f();
+        Archive(packed, Archive::Direction::pack)(own);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+      }
+      std::vector<T> values;
+      for (Bytes &bytes : exchange(std::move(packed), failure, meeting))
+        Archive(bytes, Archive::Direction::unpack)(values.emplace_back());
+      return values;
+    }
+
+    /**
+     * Runs f, in which all processes talk to each other by a library, when all have come. What it throws has
+     * to be thrown in all of them, a ComputationError; another exception is this process's alone, for which
+     * the others would wait without end: it is printed and ends all of them at once.
+     */
+    void together(std::uint64_t meeting, const std::function<void()> &f);
+
+    /// Runs f, in all processes, and waits for the others, which are not met before the next `run`. Throws
+    /// what has gone wrong in any of them.
     void run(const std::function<void()> &f);
 
   private:
+    explicit Processes(std::unique_ptr<Communicator> communicator);
+
+    std::unique_ptr<Communicator> communicator_;
     unsigned int size_ = 1, rank_ = 0;
     std::exception_ptr ended_by_; ///< the error of one that has ended; null while all go on
   };

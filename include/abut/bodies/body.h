@@ -17,6 +17,7 @@
 
 namespace abut
 {
+  class Processes;
   struct OutputFields;
   struct OutputPatches;
 
@@ -26,10 +27,14 @@ namespace abut
     unsigned int meshes = 0;
     unsigned int assemblies = 0;
     unsigned int factorisations = 0;
-    unsigned int solves = 0;  ///< right sides
-    unsigned int mortars = 0; ///< couplings of two sides inside the body
+    unsigned int solves = 0;     ///< right sides
+    unsigned int mortars = 0;    ///< couplings of two sides inside the body
+    unsigned int iterations = 0; ///< of the last solve; 0 of a factor
 
-    void serialize(Archive &archive) { archive(meshes, assemblies, factorisations, solves, mortars); }
+    void serialize(Archive &archive)
+    {
+      archive(meshes, assemblies, factorisations, solves, mortars, iterations);
+    }
   };
 
   /// A side of a body as a curve, whether or not the scene names it.
@@ -105,6 +110,9 @@ namespace abut
                                                const std::vector<Eigen::VectorXd> &fields) = 0;
 
     // Its answers, after `prepare`.
+    /// The processes that share its stiffness from the next `prepare` on, which then ask it the same things
+    /// in the same order; null: it is this process's alone.
+    void share(std::shared_ptr<Processes> processes) { processes_ = std::move(processes); }
     /// Makes what the answers need for the present mesh. Throws ComputationError.
     virtual PreparationTimes prepare() = 0;
     /// Under loads, supports and contact forces (a trace vector).
@@ -168,8 +176,12 @@ namespace abut
                                             const Vector2 &point) const = 0;
     virtual OutputPatches output_patches(const OutputFields &fields) const = 0;
 
+  protected:
+    const std::shared_ptr<Processes> &processes() const { return processes_; }
+
   private:
     BodyDescription description_;
+    std::shared_ptr<Processes> processes_;
   };
 
   /// A body of the kind that its description asks for. Construction reads and checks everything, loads

@@ -39,6 +39,7 @@ namespace abut
     BodyPeaks peaks;
     double condition = std::numeric_limits<double>::quiet_NaN(); ///< see Body::condition; where asked for
     BodyCounters counters;
+    unsigned int n_processes = 1;   ///< in which it lives
     double rigid_displacement = 0.; ///< of the side that carries a given resultant
     Reactions reactions;
     Eigen::VectorXd eta;        ///< of each cell, where estimated

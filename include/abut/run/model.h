@@ -63,7 +63,7 @@ namespace abut
     ContactBody contact_body(const Side &side) const;
     PairInput pair_input(std::size_t index) const;
     ContactSurface make_surface(const std::vector<std::size_t> &group) const;
-    /// Lets bodies whose mesh is new live where there is the least to do.
+    /// Lets bodies whose mesh is new live where there is the least to do (see body_loads).
     void assign_bodies();
     void make_problem();
     bool is_new(const ContactSurface &surface) const;

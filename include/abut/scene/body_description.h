@@ -73,7 +73,8 @@ namespace abut
     double corner_angle = 20.; ///< degrees: where the edges of a mesh file turn by more is a corner
     CellType cell_type = CellType::quadrilaterals;
     unsigned int degree = 1;
-    bool adapt = false; ///< the mesh follows the error
+    bool adapt = false;           ///< the mesh follows the error
+    unsigned int n_processes = 0; ///< that share its stiffness where there are several; 0: automatic
     Placement placement;
 
     double young_modulus = 1.;

@@ -2,7 +2,6 @@
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -17,10 +16,32 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    Eigen::SparseMatrix<double> zero_matrix(const dealii::DoFHandler<2> &dof_handler)
+    bool is_among(const std::vector<bool> &cells, const Cell &cell)
+    {
+      return cells.empty() || cells[cell->active_cell_index()];
+    }
+
+    dealii::DynamicSparsityPattern pattern_of(const dealii::DoFHandler<2> &dof_handler,
+                                              const std::vector<bool> &cells)
     {
       dealii::DynamicSparsityPattern pattern(dof_handler.n_dofs(), dof_handler.n_dofs());
-      dealii::DoFTools::make_sparsity_pattern(dof_handler, pattern);
+      std::vector<dealii::types::global_dof_index> dofs(dof_handler.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        if (!is_among(cells, cell))
+          continue;
+        cell->get_dof_indices(dofs);
+        std::sort(dofs.begin(), dofs.end());
+        for (const auto dof : dofs)
+          pattern.add_entries(dof, dofs.begin(), dofs.end(), true);
+      }
+      return pattern;
+    }
+
+    Eigen::SparseMatrix<double> zero_matrix(const dealii::DoFHandler<2> &dof_handler,
+                                            const std::vector<bool> &cells)
+    {
+      const dealii::DynamicSparsityPattern pattern = pattern_of(dof_handler, cells);
       const auto n = static_cast<Index>(dof_handler.n_dofs());
       Eigen::SparseMatrix<double> matrix(n, n);
       matrix.resizeNonZeros(static_cast<Index>(pattern.n_nonzero_elements()));
@@ -123,9 +144,11 @@ namespace abut
   } // namespace
 
   Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const CellMaterials &materials,
-                                                 const bool projects)
+                                                 const bool projects, const std::vector<bool> &cells)
   {
-    Eigen::SparseMatrix<double> stiffness = zero_matrix(space.dof_handler());
+    Assert(cells.empty() || cells.size() == space.mesh().triangulation.n_active_cells(),
+           dealii::ExcMessage("all cells, or which ones"));
+    Eigen::SparseMatrix<double> stiffness = zero_matrix(space.dof_handler(), cells);
     const auto &fe = space.dof_handler().get_fe();
     const auto places = projects ? dealii::update_quadrature_points : dealii::update_default;
     dealii::FEValues<2> values(space.mapping(), fe, space.quadrature(),
@@ -135,6 +158,8 @@ namespace abut
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
     {
+      if (!is_among(cells, cell))
+        continue;
       values.reinit(cell);
       cell->get_dof_indices(dofs);
       const double lambda = materials(cell).lambda(), mu = materials(cell).mu();

@@ -11,7 +11,7 @@ namespace abut
   Eigen::VectorXd FiniteElementBody::missing_forces(const Eigen::VectorXd &deformation,
                                                     const Eigen::VectorXd &contact_forces) const
   {
-    return stiffness_ * deformation - load_ - trace_to_dofs_ * contact_forces;
+    return stiffness_->times(deformation) - load_ - trace_to_dofs_ * contact_forces;
   }
 
   Eigen::VectorXd FiniteElementBody::support_forces(const Eigen::VectorXd &deformation,
@@ -49,7 +49,7 @@ namespace abut
     double largest_value = 0., smallest_inverse = 0.;
     for (int step = 0; step < steps; ++step)
     {
-      largest = t.transpose() * (stiffness_ * (t * largest));
+      largest = t.transpose() * stiffness_->times(t * largest);
       largest_value = largest.norm();
       largest /= largest_value;
       smallest = solve(smallest);

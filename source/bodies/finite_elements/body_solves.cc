@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// The stiffness of a body, its Cholesky factor, and what is solved with it.
+// The stiffness of a body and what is solved with it.
 
-#include <abut/base/congruence.h>
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
-#include <abut/bodies/finite_elements/assembly.h>
+#include <abut/bodies/finite_elements/contact_response.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
-#include <abut/bodies/finite_elements/projected_divergence.h>
 
 #include <algorithm>
 #include <vector>
@@ -19,32 +17,26 @@ namespace abut
     PreparationTimes times;
     {
       const Stopwatch watch(times.assemble);
-      stiffness_ = assemble_stiffness(*space_, CellMaterials(description()), projects_divergence());
+      const StiffnessInput input{"Body " + name(),
+                                 *space_,
+                                 CellMaterials(description()),
+                                 description().largest_poisson_ratio(),
+                                 projects_divergence(),
+                                 floating_,
+                                 supports_.free_directions,
+                                 trace_to_free_};
+      stiffness_.reset();
+      stiffness_ = processes() ? make_shared_stiffness(input, processes()) : make_local_stiffness(input);
       ++counters_.assemblies;
     }
     {
       const Stopwatch watch(times.factorise);
-      factorise();
+      stiffness_->factorise();
+      ++counters_.factorisations;
     }
+    if (stiffness_->contact_response() != nullptr)
+      counters_.solves += static_cast<unsigned int>(floating_.size());
     return times;
-  }
-
-  void FiniteElementBody::factorise()
-  {
-    const auto &t = supports_.free_directions;
-    Eigen::SparseMatrix<double> reduced = lower_congruent(stiffness_, t);
-    if (floating_.size() > 0)
-      reduced = floating_.stiffened(reduced, "Body " + name());
-    std::vector<int> last = contact_unknowns(trace_to_free_);
-    if (!ContactResponse::pays(last.size(), t.cols()))
-      last.clear();
-    contact_response_.reset();
-    cholesky_ = std::make_unique<SparseCholesky>(reduced, "Body " + name(), last);
-    ++counters_.factorisations;
-    if (last.empty())
-      return;
-    contact_response_.emplace(*cholesky_, last, trace_to_free_, floating_);
-    counters_.solves += static_cast<unsigned int>(floating_.size());
   }
 
   void FiniteElementBody::refuse_infinite(const Eigen::MatrixXd &solution) const
@@ -59,19 +51,21 @@ namespace abut
   {
     counters_.solves += static_cast<unsigned int>(reduced_loads.cols());
     const bool floats = floating_.size() > 0;
-    Eigen::MatrixXd solution = cholesky_->solve(floats ? floating_.balanced(reduced_loads) : reduced_loads);
+    Eigen::MatrixXd solution = stiffness_->solve(floats ? floating_.balanced(reduced_loads) : reduced_loads);
     if (floats)
       solution = floating_.balanced(solution);
+    counters_.iterations = stiffness_->iterations();
     refuse_infinite(solution);
     return solution;
   }
 
   Eigen::MatrixXd FiniteElementBody::respond(const Eigen::MatrixXd &forces) const
   {
-    if (!contact_response_)
+    const ContactResponse *const direct = stiffness_->contact_response();
+    if (direct == nullptr)
       return respond_by_solves(forces);
     counters_.solves += static_cast<unsigned int>(forces.cols());
-    Eigen::MatrixXd displacements = contact_response_->respond(forces);
+    Eigen::MatrixXd displacements = direct->respond(forces);
     refuse_infinite(displacements);
     return displacements;
   }

@@ -185,9 +185,8 @@ namespace abut
     std::vector<Eigen::VectorXd> carried = space_->adapt(marks, fields);
     if (mesh_version() == before)
       return carried;
-    contact_response_.reset();
-    cholesky_.reset();
-    stiffness_.resize(0, 0);
+    if (!processes()) // else `prepare` does, where all of them come by
+      stiffness_.reset();
     set_up();
     return carried;
   }
@@ -222,7 +221,8 @@ namespace abut
   {
     const auto &t = supports_.free_directions;
     const Eigen::VectorXd prescribed = supports_.fixed + rigid_displacement * supports_.moving;
-    return t * solve(t.transpose() * (load_ + trace_to_dofs_ * contact_forces - stiffness_ * prescribed)) +
+    return t * solve(t.transpose() *
+                     (load_ + trace_to_dofs_ * contact_forces - stiffness_->times(prescribed))) +
            prescribed;
   }
 
@@ -233,6 +233,6 @@ namespace abut
 
   double FiniteElementBody::strain_energy(const Eigen::VectorXd &deformation) const
   {
-    return .5 * deformation.dot(stiffness_ * deformation);
+    return .5 * deformation.dot(stiffness_->times(deformation));
   }
 } // namespace abut

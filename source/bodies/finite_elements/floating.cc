@@ -37,18 +37,13 @@ namespace abut
       sprung_.push_back(choice.colsPermutation().indices()[k]);
   }
 
-  Eigen::SparseMatrix<double> FloatingModes::stiffened(const Eigen::SparseMatrix<double> &stiffness,
-                                                       const std::string &name) const
+  void FloatingModes::check(const Eigen::MatrixXd &stiffness_times_orthonormal, const double largest,
+                            const std::string &name) const
   {
     constexpr double not_free = 1e-8;
-    const double largest = stiffness.diagonal().maxCoeff();
-    if ((stiffness.selfadjointView<Eigen::Lower>() * orthonormal_).cwiseAbs().maxCoeff() > not_free * largest)
+    if (stiffness_times_orthonormal.cwiseAbs().maxCoeff() > not_free * largest)
       throw UserError(name + ": the supports hold the body against a rigid motion by their curvature alone, "
                              "almost free; give it supports that hold it or leave the motion free");
-    Eigen::SparseMatrix<double> result = stiffness;
-    for (const Eigen::Index i : sprung_)
-      result.coeffRef(i, i) += largest;
-    return result;
   }
 
   Eigen::MatrixXd FloatingModes::balanced(const Eigen::MatrixXd &columns) const

@@ -49,6 +49,8 @@ namespace abut
       return {
           {"bodies", "list", "", "in the order of the list Bodies; the last pass"},
           {"bodies[].name", "text", "", "as in the parameter file"},
+          {"bodies[].processes", "count", "",
+           "in which it lives ([a body in several processes](../processes.md#a-body-in-several-processes))"},
           {"bodies[].cells", "count", "", "of its mesh; 0 of a rigid body"},
           {"bodies[].dofs", "count", "", "unknowns, those that supports hold included"},
           {"bodies[].boundary_dofs", "count", "", "those of them at nodes on the boundary"},
@@ -233,6 +235,8 @@ namespace abut
           {"counters.bodies.<body>.factorisations", "count", "", "factors"},
           {"counters.bodies.<body>.solves", "count", "", "right sides solved for"},
           {"counters.bodies.<body>.mortars", "count", "", "couplings of two sides inside the body"},
+          {"counters.bodies.<body>.iterations", "count", "",
+           "of the last right side where the body lives in several processes; 0 with a factor"},
           {"counters.mpi_initialised", "true or false", "", "whether MPI was started"},
           {"counters.p4est_initialised", "true or false", "", "whether p4est was started"},
           {"versions", "object", "", "of the program and of the libraries that numbers depend on"},

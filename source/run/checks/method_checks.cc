@@ -123,21 +123,24 @@ namespace abut
 
   Warnings process_warnings(const Model &model)
   {
-    const auto n_elastic = static_cast<std::size_t>(
-        std::count_if(model.bodies().begin(), model.bodies().end(),
-                      [](const auto &body) { return !body->description().is_rigid; }));
-    const std::size_t n_processes = model.executor().n_processes();
-    if (n_processes == 1 || n_elastic >= n_processes)
+    std::vector<std::size_t> elastic;
+    for (std::size_t a = 0; a < model.bodies().size(); ++a)
+      if (!model.bodies()[a]->description().is_rigid)
+        elastic.push_back(a);
+    const unsigned int n_processes = model.executor().n_processes(),
+                       n_busy = model.executor().n_busy(elastic);
+    if (n_busy >= n_processes)
       return {};
     std::ostringstream text;
-    text << n_processes << " processes share a run of " << n_elastic
-         << (n_elastic == 1 ? " elastic body" : " elastic bodies")
-         << ", each of which lives in one: " << n_processes - n_elastic
-         << " of them had nothing to do; start ";
-    if (n_elastic > 1)
-      text << "no more than " << n_elastic;
+    text << n_processes << " processes share a run of " << elastic.size()
+         << (elastic.size() == 1 ? " elastic body" : " elastic bodies") << ", which "
+         << (elastic.size() == 1 ? "lives in " : "live in ") << n_busy << " of them: " << n_processes - n_busy
+         << " had nothing to do; start ";
+    if (n_busy > 1)
+      text << "no more than " << n_busy;
     else
       text << "it without mpirun";
+    text << ", or let a large body live in several (Body <name>/Processes)";
     return {{WarningCode::idle_processes, text.str()}};
   }
 

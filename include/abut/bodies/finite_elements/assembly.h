@@ -6,10 +6,13 @@
 
 #include <Eigen/SparseCore>
 
+#include <vector>
+
 namespace abut
 {
   /// a(u, v) of (11), without any boundary condition: symmetric, with the rigid modes in its kernel.
-  /// `projects`: with the projected divergence (projects_divergence).
+  /// `projects`: with the projected divergence (projects_divergence). `cells`: by active cell index, whether
+  /// it is summed over; empty: all are.
   Eigen::SparseMatrix<double> assemble_stiffness(const Space &space, const CellMaterials &materials,
-                                                 bool projects);
+                                                 bool projects, const std::vector<bool> &cells = {});
 } // namespace abut

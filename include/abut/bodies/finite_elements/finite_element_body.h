@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/base/sparse_cholesky.h>
 #include <abut/bodies/body.h>
-#include <abut/bodies/finite_elements/contact_response.h>
 #include <abut/bodies/finite_elements/floating.h>
 #include <abut/bodies/finite_elements/rigid_motion.h>
 #include <abut/bodies/finite_elements/space.h>
+#include <abut/bodies/finite_elements/stiffness.h>
+#include <abut/bodies/finite_elements/supports.h>
 
 namespace abut
 {
@@ -117,7 +117,6 @@ namespace abut
     void set_up_supports();
     void tell_supports();
     void collect_loads();
-    void factorise();
     Eigen::MatrixXd solve(const Eigen::MatrixXd &reduced_loads) const;
     /// Displacements of the contact sides by solves for the whole body.
     Eigen::MatrixXd respond_by_solves(const Eigen::MatrixXd &forces) const;
@@ -136,10 +135,8 @@ namespace abut
 
     Eigen::SparseMatrix<double> trace_to_dofs_; // n_dofs x trace_size
     Eigen::SparseMatrix<double> trace_to_free_; // the same, reduced to the free directions
-    Eigen::SparseMatrix<double> stiffness_;
-    Eigen::VectorXd load_; // tractions and body force
-    std::unique_ptr<SparseCholesky> cholesky_;
-    std::optional<ContactResponse> contact_response_; // where contact unknowns come last
+    Eigen::VectorXd load_;                      // tractions and body force
+    std::unique_ptr<Stiffness> stiffness_;
     mutable BodyCounters counters_;
   };
 

@@ -5,6 +5,9 @@
 
 #include <Eigen/SparseCore>
 
+#include <string>
+#include <vector>
+
 namespace abut
 {
   /**
@@ -27,14 +30,17 @@ namespace abut
     const Eigen::MatrixXd &reduced() const { return reduced_; }
     /// Q.
     const Eigen::MatrixXd &orthonormal() const { return orthonormal_; }
-    /// K~. Throws UserError, beginning with `name`, where a motion is not quite free (K R is not zero).
-    Eigen::SparseMatrix<double> stiffened(const Eigen::SparseMatrix<double> &stiffness,
-                                          const std::string &name) const;
+    /// Throws UserError, beginning with `name`, where a motion is not quite free: K Q is not zero, beside the
+    /// largest entry of K.
+    void check(const Eigen::MatrixXd &stiffness_times_orthonormal, double largest,
+               const std::string &name) const;
+    /// Unknowns with springs in K~, each of the stiffness of the largest entry of K.
+    const std::vector<Eigen::Index> &sprung() const { return sprung_; }
     /// P f for loads or displacements in columns.
     Eigen::MatrixXd balanced(const Eigen::MatrixXd &columns) const;
 
   private:
     Eigen::MatrixXd reduced_, orthonormal_;
-    std::vector<Eigen::Index> sprung_; ///< unknowns with springs
+    std::vector<Eigen::Index> sprung_;
   };
 } // namespace abut

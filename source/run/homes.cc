@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/free_memory.h>
+#include <abut/base/user_error.h>
+#include <abut/run/homes.h>
+
+#include <cmath>
+#include <limits>
+
+namespace abut
+{
+  namespace
+  {
+    /// Of a Cholesky factor in the plane: 7 n log2 n numbers (1.3 GB of 1.2 million unknowns).
+    double predicted_factor_bytes(const double n_unknowns)
+    {
+      return 7. * sizeof(double) * n_unknowns * std::log2(n_unknowns + 2.);
+    }
+
+    unsigned int n_processes_for(const Body &body, const unsigned int n_processes, const double free_bytes)
+    {
+      const BodyDescription &description = body.description();
+      if (n_processes == 1 || description.is_rigid)
+        return 1;
+      if (description.n_processes > n_processes)
+        throw UserError(description.section() + "/Processes: received " +
+                        std::to_string(description.n_processes) + ", but this run has only " +
+                        std::to_string(n_processes) + "; start it by mpirun -np " +
+                        std::to_string(description.n_processes) + ", or allow 0 (automatic)");
+      if (description.n_processes > 0)
+        return description.n_processes;
+      return predicted_factor_bytes(static_cast<double>(body.counts().dofs)) > free_bytes ? n_processes : 1;
+    }
+  } // namespace
+
+  std::vector<BodyLoad> body_loads(const std::vector<std::unique_ptr<Body>> &bodies,
+                                   const std::vector<bool> &stay, const Executor &executor)
+  {
+    AssertDimension(bodies.size(), stay.size());
+    constexpr double growth = 1.25;
+    const double free_bytes =
+        executor.processes() ? free_memory(*executor.processes()) : std::numeric_limits<double>::infinity();
+    std::vector<BodyLoad> loads;
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+    {
+      const unsigned int n = stay[a] ? executor.n_processes_of(a)
+                                     : n_processes_for(*bodies[a], executor.n_processes(), free_bytes);
+      loads.push_back({std::pow(static_cast<double>(bodies[a]->counts().dofs), growth), stay[a], n});
+    }
+    return loads;
+  }
+} // namespace abut
