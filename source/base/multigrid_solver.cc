@@ -44,7 +44,7 @@ namespace abut
         Eigen::MatrixXd own(n_own(), right_sides.cols());
         processes_->together(multigrid_cycles, [&]() {
           for (Eigen::Index k = 0; k < right_sides.cols(); ++k)
-            own.col(k) = solve_own(right_sides.col(k).segment(first(), n_own()));
+            own.col(k) = solve_scaled(right_sides.col(k));
         });
         Eigen::MatrixXd solutions(right_sides.rows(), right_sides.cols());
         const std::vector<Eigen::MatrixXd> parts =
@@ -101,6 +101,18 @@ namespace abut
         list.set("null space: dimension", static_cast<int>(modes.cols()));
         list.set("null space: vectors", modes.data());
         multigrid_.initialize(matrix_, list);
+      }
+
+      /// This process's part. Squares of numbers of any size stay within the machine's range.
+      Eigen::VectorXd solve_scaled(const Eigen::VectorXd &right_side)
+      {
+        const double scale = right_side.cwiseAbs().maxCoeff();
+        iterations_ = 0;
+        if (right_side.isZero(0.))
+          return Eigen::VectorXd::Zero(n_own());
+        if (!right_side.allFinite())
+          return Eigen::VectorXd::Constant(n_own(), std::numeric_limits<double>::quiet_NaN());
+        return scale * solve_own(right_side.segment(first(), n_own()) / scale);
       }
 
       Eigen::VectorXd solve_own(const Eigen::VectorXd &right_side)

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace abut;
 
@@ -113,9 +114,15 @@ namespace
     EXPECT_THROW(make_distributed_cholesky(net(-1.), "net"), ComputationError);
   }
 
-  TEST(DistributedSolver, PassesOnWhatIsNotFinite)
+  TEST(DistributedSolver, TakesLoadsOfAnySize)
   {
-    const Eigen::MatrixXd infinite = Eigen::MatrixXd::Constant(2 * n * n, 1, 1e308);
-    EXPECT_FALSE(make_multigrid_solver(net(), translations(), "net")->solve(infinite).allFinite());
+    const auto solver = make_multigrid_solver(net(), translations(), "net");
+    const Eigen::MatrixXd expected = solver->solve(loads());
+    for (const double size : {1e-250, 1e250})
+      EXPECT_NEAR((solver->solve(size * loads()) / size - expected).norm(), 0., 1e-10 * expected.norm());
+    Eigen::MatrixXd infinite = loads();
+    infinite(7, 1) = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(solver->solve(infinite).col(1).allFinite());
+    EXPECT_TRUE(solver->solve(infinite).col(2).allFinite());
   }
 } // namespace
