@@ -27,13 +27,14 @@ namespace abut
     class MultigridSolver : public DistributedSolver
     {
     public:
-      MultigridSolver(const DistributedMatrix &matrix, const Eigen::MatrixXd &near_kernel, std::string name,
+      MultigridSolver(DistributedMatrix matrix, const Eigen::MatrixXd &near_kernel, std::string name,
                       const unsigned int most_iterations)
           : processes_(matrix.processes), begins_(matrix.begins), name_(std::move(name)),
             most_iterations_(most_iterations)
       {
         processes_->together(multigrid_setup, [&]() {
           copy(matrix);
+          matrix.own = {}; // for the memory
           set_up(near_kernel);
         });
       }
@@ -92,13 +93,16 @@ namespace abut
 
       void set_up(const Eigen::MatrixXd &near_kernel)
       {
-        Eigen::MatrixXd modes = near_kernel; // ML changes nothing there, but does not say so
+        // A copy, which ML does not promise to leave alone; of one number more, so that a process without
+        // rows has one too: no address would mean no modes.
+        std::vector<double> modes(near_kernel.data(), near_kernel.data() + near_kernel.size());
+        modes.push_back(0.);
         Teuchos::ParameterList list;
         std::unique_ptr<Epetra_MultiVector> of_constants;
         Trilinos::PreconditionAMG::AdditionalData().set_parameters(list, of_constants, matrix_);
         list.set("PDE equations", 2);
         list.set("null space: type", "pre-computed");
-        list.set("null space: dimension", static_cast<int>(modes.cols()));
+        list.set("null space: dimension", static_cast<int>(near_kernel.cols()));
         list.set("null space: vectors", modes.data());
         multigrid_.initialize(matrix_, list);
       }
@@ -151,11 +155,11 @@ namespace abut
     };
   } // namespace
 
-  std::unique_ptr<DistributedSolver> make_multigrid_solver(const DistributedMatrix &matrix,
+  std::unique_ptr<DistributedSolver> make_multigrid_solver(DistributedMatrix matrix,
                                                            const Eigen::MatrixXd &near_kernel,
                                                            const std::string &name,
                                                            const unsigned int most_iterations)
   {
-    return std::make_unique<MultigridSolver>(matrix, near_kernel, name, most_iterations);
+    return std::make_unique<MultigridSolver>(std::move(matrix), near_kernel, name, most_iterations);
   }
 } // namespace abut

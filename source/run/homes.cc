@@ -15,22 +15,21 @@ namespace abut
     {
       return 7. * sizeof(double) * n_unknowns * std::log2(n_unknowns + 2.);
     }
-
-    unsigned int n_processes_for(const Body &body, const unsigned int n_processes, const double free_bytes)
-    {
-      const BodyDescription &description = body.description();
-      if (n_processes == 1 || description.is_rigid)
-        return 1;
-      if (description.n_processes > n_processes)
-        throw UserError(description.section() + "/Processes: received " +
-                        std::to_string(description.n_processes) + ", but this run has only " +
-                        std::to_string(n_processes) + "; start it by mpirun -np " +
-                        std::to_string(description.n_processes) + ", or allow 0 (automatic)");
-      if (description.n_processes > 0)
-        return description.n_processes;
-      return predicted_factor_bytes(static_cast<double>(body.counts().dofs)) > free_bytes ? n_processes : 1;
-    }
   } // namespace
+
+  unsigned int n_homes(const BodyDescription &body, const std::size_t n_unknowns,
+                       const unsigned int n_processes, const double free_bytes)
+  {
+    if (n_processes == 1 || body.is_rigid)
+      return 1;
+    if (body.n_processes > n_processes)
+      throw UserError(body.section() + "/Processes: received " + std::to_string(body.n_processes) +
+                      ", but this run has only " + std::to_string(n_processes) + "; start it by mpirun -np " +
+                      std::to_string(body.n_processes) + ", or allow 0 (automatic)");
+    if (body.n_processes > 0)
+      return body.n_processes;
+    return predicted_factor_bytes(static_cast<double>(n_unknowns)) > free_bytes ? n_processes : 1;
+  }
 
   std::vector<BodyLoad> body_loads(const std::vector<std::unique_ptr<Body>> &bodies,
                                    const std::vector<bool> &stay, const Executor &executor)
@@ -42,9 +41,11 @@ namespace abut
     std::vector<BodyLoad> loads;
     for (std::size_t a = 0; a < bodies.size(); ++a)
     {
-      const unsigned int n = stay[a] ? executor.n_processes_of(a)
-                                     : n_processes_for(*bodies[a], executor.n_processes(), free_bytes);
-      loads.push_back({std::pow(static_cast<double>(bodies[a]->counts().dofs), growth), stay[a], n});
+      const std::size_t n_unknowns = bodies[a]->counts().dofs;
+      const unsigned int n =
+          stay[a] ? executor.n_processes_of(a)
+                  : n_homes(bodies[a]->description(), n_unknowns, executor.n_processes(), free_bytes);
+      loads.push_back({std::pow(static_cast<double>(n_unknowns), growth), stay[a], n});
     }
     return loads;
   }

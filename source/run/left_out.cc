@@ -8,7 +8,7 @@ namespace abut
   std::vector<std::string> left_out(const Setup &setup, const Solution &solution)
   {
     std::vector<std::string> items = {setup.model.executor().n_processes() > 1
-                                          ? "p4est (every body lives in one process)"
+                                          ? "p4est (every process has all meshes)"
                                           : "MPI and p4est (serial run)"};
     if (setup.indicator == nullptr)
       items.emplace_back("error estimation (no estimator asked for)");

@@ -3,6 +3,7 @@
 // Solvers of a matrix that is spread over processes, here in a single one: beside Cholesky's factor.
 
 #include <abut/base/distributed_solver.h>
+#include <abut/base/free_memory.h>
 #include <abut/base/sparse_cholesky.h>
 #include <abut/base/user_error.h>
 
@@ -10,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <unistd.h>
 
 using namespace abut;
 
@@ -107,6 +109,14 @@ namespace
       EXPECT_EQ(text.rfind("Body net: 2 iterations", 0), 0u) << text;
       EXPECT_NE(text.find("Processes = 1"), std::string::npos) << text;
     }
+  }
+
+  TEST(FreeMemory, IsSomeOfTheMachines)
+  {
+    const double bytes = free_memory(*this_process());
+    EXPECT_GT(bytes, 1e6);
+    EXPECT_LE(bytes,
+              static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)));
   }
 
   TEST(DistributedSolver, RefusesAMatrixThatIsNotPositiveDefinite)

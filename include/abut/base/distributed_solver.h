@@ -43,7 +43,7 @@ namespace abut
    * nothing of, in columns, this process's rows. `solve` throws ComputationError, beginning with `name`,
    * where `most_iterations` are not enough.
    */
-  std::unique_ptr<DistributedSolver> make_multigrid_solver(const DistributedMatrix &matrix,
+  std::unique_ptr<DistributedSolver> make_multigrid_solver(DistributedMatrix matrix,
                                                            const Eigen::MatrixXd &near_kernel,
                                                            const std::string &name,
                                                            unsigned int most_iterations = 1000);

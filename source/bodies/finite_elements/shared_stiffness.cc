@@ -147,10 +147,10 @@ namespace abut
 
     void SharedStiffness::factorise()
     {
-      const DistributedMatrix matrix = equations();
-      solver_ = suits_multigrid()
-                    ? make_multigrid_solver(matrix, shares_.rigid_motions(processes_->rank()), input_.name)
-                    : make_distributed_cholesky(matrix, input_.name);
+      if (suits_multigrid())
+        solver_ = make_multigrid_solver(equations(), shares_.rigid_motions(processes_->rank()), input_.name);
+      else
+        solver_ = make_distributed_cholesky(equations(), input_.name);
     }
 
     Eigen::MatrixXd SharedStiffness::solve(const Eigen::MatrixXd &loads) const
