@@ -3,6 +3,8 @@
 #include <abut/base/user_error.h>
 #include <abut/run/homes.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 #include <limits>
 

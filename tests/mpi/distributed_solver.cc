@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "this_process.h"
 #include <cmath>
 #include <limits>
 #include <unistd.h>
@@ -17,12 +18,6 @@ using namespace abut;
 
 namespace
 {
-  std::shared_ptr<Processes> this_process()
-  {
-    static const auto process = std::make_shared<Processes>(Launch{}); // MPI begins and ends once
-    return process;
-  }
-
   constexpr int n = 60; // nodes in each direction of a square
 
   /// Springs between neighbouring nodes of a square, the same in both components; one edge is held.
