@@ -220,7 +220,7 @@ namespace
       {"floating_disc", "prm/v-groove.prm", {}, 3, false, {"disc"}},
       {"degree_3",
        "prm/two-layers-rollers.prm",
-       {"Discretisation/Degree=3", "Body upper/Cells=32, 8", "Body lower/Cells=40, 10"},
+       {"Discretisation/Degree=3", "Body upper/Cells=24, 6", "Body lower/Cells=28, 7"},
        2,
        false,
        {"lower"}},

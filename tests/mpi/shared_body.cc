@@ -144,6 +144,9 @@ namespace
     const std::string rollers = "left: normal displacement: 0; bottom: normal displacement: 0";
     for (const unsigned int degree : {1u, 2u, 3u})
       expect_same_answers(plate(rollers, degree), true);
+    BodyDescription large = plate(rollers); // on several grids
+    large.cells = {{40, 40}};
+    expect_same_answers(large, true);
     BodyDescription turned = plate(rollers);
     turned.placement = Placement(1., false, 30., Vector2(1., 2.));
     expect_same_answers(turned, true);
