@@ -78,6 +78,19 @@ namespace
       EXPECT_EQ(names[a], std::to_string(a));
   }
 
+  TEST(Executor, GivesWhatTheFirstProcessHas)
+  {
+    unsigned int n_calls = 0;
+    const std::string word = Executor().from_first([&]() {
+      ++n_calls;
+      return std::string("word");
+    });
+    EXPECT_EQ(word, "word");
+    EXPECT_EQ(n_calls, 1u);
+    EXPECT_THROW(Executor().from_first([]() -> int { throw std::runtime_error("none"); }),
+                 std::runtime_error);
+  }
+
   using Homes = std::vector<Ranks>;
 
   TEST(Executor, SharesBodiesByTheirCosts)

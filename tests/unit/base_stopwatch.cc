@@ -51,4 +51,15 @@ namespace
     // Every second counts once. Had one counted twice, the sum would exceed the time that has passed.
     EXPECT_LE(outer + inner + innermost, clock.seconds());
   }
+
+  TEST(WallClock, GoesOnFromTheSecondsOfBefore)
+  {
+    const WallClock other;
+    WallClock clock;
+    clock.add(100.);
+    clock.add(20.);
+    const double seconds = clock.seconds();
+    EXPECT_GE(seconds, 120.);
+    EXPECT_LE(seconds, 120. + other.seconds());
+  }
 } // namespace

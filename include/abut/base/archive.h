@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -68,13 +69,35 @@ namespace abut
     }
     template <typename T> void pass(std::vector<T> &values) { pass_each(values); }
     void pass(std::string &text) { pass_each(text); }
+    void pass(std::vector<bool> &values)
+    {
+      std::vector<char> bytes(values.begin(), values.end());
+      pass(bytes);
+      if (direction_ == Direction::unpack)
+        values.assign(bytes.begin(), bytes.end());
+    }
     template <typename Container> void pass_each(Container &values)
     {
+      using Value = typename Container::value_type;
       std::size_t size = values.size();
       pass(size);
       values.resize(size);
-      for (auto &value : values)
-        pass(value);
+      if constexpr (std::is_arithmetic_v<Value>)
+        pass_bytes(values.data(), size * sizeof(Value));
+      else
+        for (Value &value : values)
+          pass(value);
+    }
+    template <typename T> void pass(std::optional<T> &value)
+    {
+      bool is_there = value.has_value();
+      pass(is_there);
+      if (!is_there)
+        value.reset();
+      else if (!value)
+        value.emplace();
+      if (value)
+        pass(*value);
     }
     template <typename A, typename B> void pass(std::pair<A, B> &values)
     {
@@ -84,11 +107,26 @@ namespace abut
     {
       std::vector<std::pair<std::string, T>> entries(values.begin(), values.end());
       pass(entries);
-      values = {entries.begin(), entries.end()};
+      if (direction_ == Direction::unpack)
+        values = {entries.begin(), entries.end()};
     }
 
     Bytes &bytes_;
     Direction direction_;
     std::size_t position_ = 0; ///< of what is taken next
   };
+
+  /// The bytes of values, which are not changed: only unpacking changes what a record lists.
+  template <typename... T> Bytes packed(const T &...values)
+  {
+    Bytes bytes;
+    Archive(bytes, Archive::Direction::pack)(const_cast<T &>(values)...);
+    return bytes;
+  }
+
+  /// Takes a value from the bytes that `packed` has made of one.
+  template <typename T> void unpack(Bytes &bytes, T &value)
+  {
+    Archive(bytes, Archive::Direction::unpack)(value);
+  }
 } // namespace abut

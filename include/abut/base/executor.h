@@ -100,6 +100,15 @@ namespace abut
       return results;
     }
 
+    /// f(), which runs in the first process alone, for everybody. All processes have to call it, and not from
+    /// within a loop. An exception is passed on in all.
+    template <typename Function> auto from_first(const Function &f) const
+    {
+      Executor executor = *this;
+      executor.owners_ = {0};
+      return std::move(executor.of_bodies(1, [&](const std::size_t) { return f(); }).front());
+    }
+
   private:
     /// Those of bodies that live in several processes. Returns what has gone wrong.
     std::exception_ptr take_shared_turns(const std::function<void(std::size_t)> &turn) const;

@@ -9,11 +9,14 @@ namespace abut
   class WallClock
   {
   public:
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    double seconds() const { return before_ + std::chrono::duration<double>(Clock::now() - start_).count(); }
+    /// Counts seconds that went by before it was made.
+    void add(const double seconds) { before_ += seconds; }
 
   private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point start_ = Clock::now();
+    double before_ = 0.;
   };
 
   /**
