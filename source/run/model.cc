@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/contact/pressure_profile.h>
 #include <abut/run/homes.h>
 #include <abut/run/model.h>
@@ -125,6 +126,35 @@ namespace abut
     return executor_.of_bodies(bodies_.size(), [&](const std::size_t a) {
       return bodies_[a]->displacement(problem_->contact_forces(a, pressures), 0.);
     });
+  }
+
+  namespace
+  {
+    void adapt_again(Body &body, const CellMarks &marks)
+    {
+      if (marks.refine.size() != body.counts().cells)
+        throw UserError("Body " + body.name() + ": its mesh was made again with " +
+                        std::to_string(body.counts().cells) + " cells where it had " +
+                        std::to_string(marks.refine.size()) +
+                        "; go on with the program and libraries that the run began with, or begin anew");
+      if (marks.any())
+        body.adapt(marks, {});
+    }
+  } // namespace
+
+  void Model::adapt_again(const std::vector<std::vector<CellMarks>> &adaptations,
+                          const std::vector<BodyCounters> &counters)
+  {
+    AssertDimension(counters.size(), bodies_.size());
+    for_each(bodies_.size(), [&](const std::size_t a) {
+      for (const std::vector<CellMarks> &marks : adaptations)
+        abut::adapt_again(*bodies_[a], marks[a]);
+      bodies_[a]->count_from(counters[a]);
+    });
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      surfaces_[k] = make_surface(groups_[k]);
+    assign_bodies();
+    make_problem();
   }
 
   bool Model::is_new(const ContactSurface &surface) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/user_error.h>
 #include <abut/comparison/true_errors.h>
 #include <abut/run/adaptation_end.h>
 #include <abut/run/checks/supports.h>
@@ -9,6 +10,8 @@
 #include <abut/run/pass_record.h>
 #include <abut/run/point_values.h>
 #include <abut/run/simulation.h>
+
+#include <utility>
 
 namespace abut
 {
@@ -36,24 +39,52 @@ namespace abut
     abut::check_supports(scene_, *model_);
   }
 
+  namespace
+  {
+    bool fits(const CarriedState &carried, const Model &model)
+    {
+      for (std::size_t a = 0; a < model.bodies().size(); ++a)
+        if (static_cast<std::size_t>(carried.displacements[a].size()) != model.bodies()[a]->counts().dofs)
+          return false;
+      return carried.pressures.size() == model.problem().n_pressures();
+    }
+  } // namespace
+
+  void Simulation::go_on_from(RunState state)
+  {
+    const Stopwatch watch(construction_.mesh);
+    clock_.add(state.seconds);
+    model_->adapt_again(state.marks, state.counters);
+    if (state.carried && !fits(*state.carried, *model_))
+      throw UserError("the meshes of the run were made again with other unknowns; go on with the program and "
+                      "libraries that the run began with, or begin anew");
+    state_ = std::move(state);
+  }
+
   Results Simulation::run(const RunObserver &observer)
   {
     check_supports();
+    RunState state = std::exchange(state_, {});
     Results results;
     results.scene = &scene_;
+    results.passes = state.passes;
     results.times = construction_;
+    results.times += state.times;
     results.n_processes = executor().n_processes();
     const std::unique_ptr<Pass> pass = make_pass(setup());
-    std::optional<CarriedState> carried; // from the mesh before
+    if (state.carried)
+      unpack(state.pass, *pass);
     do
     {
       if (observer.begin_pass)
         observer.begin_pass(static_cast<unsigned int>(results.passes.size()), counts());
-      PassOutcome outcome = solve(*pass, carried, observer);
-      add(outcome, carried, results);
+      PassOutcome outcome = solve(*pass, state.carried, observer);
+      add(outcome, state.carried, results);
       show(outcome, observer, results);
-      carried = adapt(outcome, results);
-    } while (carried);
+      adapt(outcome, results, state);
+      if (state.carried)
+        show(*pass, observer, results, state);
+    } while (state.carried);
     if (exact_)
     {
       const Stopwatch watch(results.times.reference);
@@ -108,18 +139,38 @@ namespace abut
       observer.state({results, outcome.estimation, model_->problem()});
   }
 
-  std::optional<CarriedState> Simulation::adapt(const PassOutcome &outcome, Results &results)
+  void Simulation::adapt(const PassOutcome &outcome, Results &results, RunState &state)
   {
+    state.carried.reset();
     if (!results.iteration.converged() || !(scene_.adapts() || scene_.has_tolerance()))
-      return {};
+      return;
     results.adaptation_end = adaptation_end(setup(), results.iteration, results.passes);
     if (results.adaptation_end)
-      return {};
+      return;
     const Stopwatch watch(results.times.adapt);
-    Adapted adapted = model_->adapt(mark_all(scene_, outcome.estimation, results), outcome.state);
+    std::vector<CellMarks> marks = mark_all(scene_, outcome.estimation, results);
+    Adapted adapted = model_->adapt(marks, outcome.state);
     if (adapted.some_mesh_changed || scene_.adaptation.combined)
-      return std::move(adapted.state);
-    results.adaptation_end = no_cell_to_split(setup(), results.passes.back());
-    return {};
+    {
+      state.marks.push_back(std::move(marks));
+      state.carried = std::move(adapted.state);
+    }
+    else
+      results.adaptation_end = no_cell_to_split(setup(), results.passes.back());
+  }
+
+  void Simulation::show(const Pass &pass, const RunObserver &observer, Results &results,
+                        RunState &state) const
+  {
+    if (!observer.adapted)
+      return;
+    const Stopwatch watch(results.times.output);
+    state.pass = packed(pass);
+    state.passes = results.passes;
+    state.counters =
+        executor().of_bodies(bodies().size(), [&](const std::size_t a) { return bodies()[a]->counters(); });
+    state.times = results.times;
+    state.seconds = clock_.seconds();
+    observer.adapted(state);
   }
 } // namespace abut

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <cstddef>
 
 namespace abut
@@ -11,6 +13,8 @@ namespace abut
     std::size_t cells = 0;         ///< active ones
     std::size_t dofs = 0;          ///< unknowns, supported ones included
     std::size_t boundary_dofs = 0; ///< those of nodes on the boundary
+
+    void serialize(Archive &archive) { archive(cells, dofs, boundary_dofs); }
   };
 
   inline Counts operator+(const Counts &a, const Counts &b)

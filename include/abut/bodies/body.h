@@ -88,6 +88,8 @@ namespace abut
     virtual std::optional<SideFacets> facets(const std::string &side) const = 0;
     virtual Counts counts() const = 0;
     virtual BodyCounters counters() const = 0;
+    /// Counts on from what the same body had counted on the same mesh.
+    virtual void count_from(const BodyCounters &counters) = 0;
 
     // Its mesh.
     /// Changes whenever the mesh does, and with it the unknowns.

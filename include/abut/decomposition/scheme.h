@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
 #include <abut/decomposition/compliance.h>
 #include <abut/scene/decomposition_parameters.h>
 
@@ -33,6 +34,9 @@ namespace abut
     /// While the observer runs: the pressures that the displacement of that state answers (null where it is
     /// no field), and those that the contact law makes of it.
     const Eigen::VectorXd *answered = nullptr, *applied = nullptr;
+
+    /// All but what is there while the observer runs.
+    void serialize(Archive &archive) { archive(step, increment, bound, normal_force, max_pressure); }
   };
 
   using StepObserver = std::function<void(const StepRecord &)>;

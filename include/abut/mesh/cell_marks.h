@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
 #include <abut/base/vector2.h>
 
 #include <cstddef>
@@ -19,6 +20,8 @@ namespace abut
   {
     Vector2 place; ///< on a side, or a vertex of the mesh; world frame, undeformed
     unsigned int further;
+
+    void serialize(Archive &archive) { archive(place, further); }
   };
 
   /// Which cells an adaptation step splits and which it may merge, by active cell index.
@@ -30,6 +33,8 @@ namespace abut
 
     /// Whether some cell is to be split or merged.
     bool any() const;
+
+    void serialize(Archive &archive) { archive(refine, coarsen, gradings); }
   };
 
   /// No cell marked.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 namespace dealii
 {
   template <int, int> class Triangulation;
@@ -18,6 +20,8 @@ namespace abut
     double h_max;      ///< h_F, the largest D_e
     double h_boundary; ///< h_B, the longest edge on the boundary; (22) asks for h_B/h_F between constants
     double regularity; ///< the largest D_e/d_e; 2.414... for squares, 2 for equilateral triangles
+
+    void serialize(Archive &archive) { archive(h_max, h_boundary, regularity); }
   };
 
   /// Over the active cells.

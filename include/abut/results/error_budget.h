@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -37,5 +39,10 @@ namespace abut
     std::optional<double> bound() const;
     /// The largest part.
     ErrorPart dominant() const;
+
+    void serialize(Archive &archive)
+    {
+      archive(discretisation, contact, iteration, penalty, linear_algebra, geometry, bounded_part);
+    }
   };
 } // namespace abut

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <cmath>
 #include <optional>
 
@@ -16,6 +18,8 @@ namespace abut
     double effectivity() const { return std::sqrt(estimated / computed); }
     /// The C of (23): ||sigma* - sigma_B|| / ||sigma* - sigma_F||
     double better_ratio() const { return std::sqrt(better / computed); }
+
+    void serialize(Archive &archive) { archive(estimated, computed, better); }
   };
 
   /**
@@ -32,5 +36,10 @@ namespace abut
     double pearson = 0.;      ///< correlation of estimated and true cell errors
     double spearman = 0.;     ///< and of their ranks
     double stress = 0.;       ///< squared L2 norm of sigma*
+
+    void serialize(Archive &archive)
+    {
+      archive(whole, boundary, contact_end, interior, has_better, pearson, spearman, stress);
+    }
   };
 } // namespace abut

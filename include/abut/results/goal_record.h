@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <optional>
 
 namespace abut
@@ -18,5 +20,7 @@ namespace abut
     {
       return discretisation ? std::optional<double>(*discretisation + penalty.value_or(0.)) : std::nullopt;
     }
+
+    void serialize(Archive &archive) { archive(value, discretisation, penalty); }
   };
 } // namespace abut

@@ -99,6 +99,8 @@ namespace abut
   struct TrueErrors
   {
     std::optional<double> energy, stress, pressure, force;
+
+    void serialize(Archive &archive) { archive(energy, stress, pressure, force); }
   };
 
   /// How far the displacement stands from the limit of the iteration, where that limit is known.
@@ -158,6 +160,14 @@ namespace abut
     std::optional<double> effectivity() const
     {
       return quality ? std::optional<double>(quality->whole.effectivity()) : std::nullopt;
+    }
+
+    void serialize(Archive &archive)
+    {
+      archive(pass, counts, steps, increment, iteration, eta_max, discretisation, stress, pressure, total,
+              goal, budget, staying, is_certified, estimator, estimate_reason, true_errors, quality,
+              effectivity_total, change, strain_energy, normal_force, max_pressure, n_missed, meshes, cost,
+              seconds);
     }
   };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <optional>
 
 namespace abut
@@ -13,5 +15,7 @@ namespace abut
     std::optional<double> true_error;  ///< against the exact solution that the scene names
     std::optional<double> ratio;       ///< b by the true error, both not relative
     std::optional<double> bound_ratio; ///< the bound by the true error
+
+    void serialize(Archive &archive) { archive(discretisation, bound, true_error, ratio, bound_ratio); }
   };
 } // namespace abut

@@ -14,6 +14,11 @@ namespace abut
     double reference = 0.; ///< comparing with the exact solution
 
     Times &operator+=(const Times &other);
+
+    void serialize(Archive &archive)
+    {
+      archive(mesh, assemble, factorise, solve, interface, estimate, adapt, output, bem, reference);
+    }
   };
 
   /// Seconds that a pass took, and what boundary elements cost; all bodies.
@@ -22,5 +27,7 @@ namespace abut
     double assemble = 0., factorise = 0., solve = 0.; ///< of the finite elements
     double estimate = 0.;                             ///< boundary elements included
     BoundaryCost boundary;
+
+    void serialize(Archive &archive) { archive(assemble, factorise, solve, estimate, boundary); }
   };
 } // namespace abut

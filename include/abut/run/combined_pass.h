@@ -12,6 +12,11 @@ namespace abut
   public:
     explicit CombinedPass(const Setup &setup) : Pass(setup) {}
     PassOutcome run(const std::optional<CarriedState> &carried, const RunObserver &observer) override;
+    void serialize(Archive &archive) override
+    {
+      Pass::serialize(archive);
+      archive(state_is_field_);
+    }
 
   private:
     /// u^0; notes whether it is a field.

@@ -27,6 +27,9 @@ namespace abut
     /// An estimate's bound, or what a better one would say.
     double expected(const Estimation &cheap) const;
 
+    /// What it has learnt.
+    void serialize(Archive &archive) { archive(ratio_); }
+
   private:
     double tolerance_;
     std::optional<double> ratio_; ///< better by cheap

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
 #include <abut/base/counts.h>
 #include <abut/bodies/body.h>
 #include <abut/comparison/exact_solution.h>
@@ -16,6 +17,8 @@ namespace abut
     std::vector<Eigen::VectorXd> displacements; ///< of each body, all unknowns
     Eigen::VectorXd pressures;                  ///< of all parts
     double rigid_displacement = 0.;             ///< of a side that carries a given resultant
+
+    void serialize(Archive &archive) { archive(displacements, pressures, rigid_displacement); }
   };
 
   struct Adapted
@@ -58,6 +61,12 @@ namespace abut
      * new part takes the mean of the old ones that it covers, by length, so that none becomes negative.
      */
     Adapted adapt(const std::vector<CellMarks> &marks, const CarriedState &state);
+
+    /// The meshes, and the surfaces that see them, as adaptations by these marks, one after the other, leave
+    /// them, without fields; what the bodies count goes on from `counters`. Throws UserError where the marks
+    /// are those of other meshes.
+    void adapt_again(const std::vector<std::vector<CellMarks>> &adaptations,
+                     const std::vector<BodyCounters> &counters);
 
   private:
     ContactBody contact_body(const Side &side) const;

@@ -4,6 +4,7 @@
 #include <abut/results/estimation.h>
 #include <abut/results/results.h>
 #include <abut/results/step_estimate.h>
+#include <abut/run/run_state.h>
 
 #include <functional>
 
@@ -25,5 +26,7 @@ namespace abut
     std::function<void(const StepEstimate &)> estimate; ///< after its step (Adaptation/Estimate steps)
     std::function<void(const PassRecord &)> end_pass;
     std::function<void(const PassState &)> state; ///< after end_pass
+    std::function<void(const RunState &)>
+        adapted; ///< when the meshes of the next pass are there; in all processes
   };
 } // namespace abut

@@ -37,6 +37,8 @@ namespace abut
     /// What a stop by the increment rule is worth, for the solution of the last pass; empty where the limit
     /// is not at hand.
     virtual std::optional<LimitDistance> limit_distance(const Solution &) const { return {}; }
+    /// What it keeps from one pass for the next, beside what is carried over to new meshes.
+    virtual void serialize(Archive &archive) { archive(goal_distance_); }
     /// Sentences on loads of the last pass that nothing holds (see HeldMotions).
     virtual std::vector<std::string> dropped_loads() const { return {}; }
 

@@ -5,6 +5,7 @@
 #include <abut/run/checks/validity.h>
 #include <abut/run/find_contacts.h>
 #include <abut/run/pass.h>
+#include <abut/run/run_state.h>
 
 #include <memory>
 #include <optional>
@@ -29,6 +30,12 @@ namespace abut
     /// What is to be said of the input, before anything is solved.
     Warnings input_warnings() const { return abut::input_warnings(scene_, *model_); }
 
+    /// Goes on from where a run of the same scene was: its meshes are made again, `run` begins with the next
+    /// pass. A scene's run in a process of its own, or on another number of them, ends as if it had not been
+    /// interrupted; what was there only in memory, the factors of bodies whose mesh stays, is made, and
+    /// counted, once more. Before `run`. Throws UserError where other meshes come of it.
+    void go_on_from(RunState state);
+
     /**
      * Solves; a second call goes on from the last mesh. Every pass solves the decomposition to
      * `Iteration fraction` of the estimated discretisation error, or takes one step of it (`Combined`, the
@@ -52,8 +59,11 @@ namespace abut
     void add(PassOutcome &outcome, const std::optional<CarriedState> &carried, Results &results) const;
     /// Tells the observer of a pass that was added.
     void show(const PassOutcome &outcome, const RunObserver &observer, Results &results) const;
-    /// Makes the next mesh after a pass that was not the last: empty where no cell could be changed.
-    std::optional<CarriedState> adapt(const PassOutcome &outcome, Results &results);
+    /// Makes the next mesh after a pass that was not the last, and notes what is carried over to it: nothing
+    /// where no cell could be changed.
+    void adapt(const PassOutcome &outcome, Results &results, RunState &state);
+    /// Tells the observer of the state between two passes.
+    void show(const Pass &pass, const RunObserver &observer, Results &results, RunState &state) const;
 
     const std::optional<Scene> completed_; ///< by the contacts that were found
     const Scene &scene_;
@@ -62,5 +72,6 @@ namespace abut
     std::unique_ptr<ExactSolution> exact_;
     std::unique_ptr<Model> model_;
     std::unique_ptr<Indicator> indicator_, certifier_;
+    RunState state_; ///< what `run` begins with
   };
 } // namespace abut

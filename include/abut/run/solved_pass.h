@@ -18,6 +18,11 @@ namespace abut
     PassOutcome run(const std::optional<CarriedState> &carried, const RunObserver &observer) override;
     std::optional<LimitDistance> limit_distance(const Solution &solution) const override;
     std::vector<std::string> dropped_loads() const override;
+    void serialize(Archive &archive) override
+    {
+      Pass::serialize(archive);
+      archive(discretisation_);
+    }
 
   protected:
     std::optional<PenaltyChange> penalty_change(const Eigen::VectorXd &pressures) const override;

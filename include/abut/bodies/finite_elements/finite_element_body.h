@@ -39,6 +39,7 @@ namespace abut
     std::optional<SideFacets> facets(const std::string &side) const override;
     Counts counts() const override;
     BodyCounters counters() const override { return counters_; }
+    void count_from(const BodyCounters &counters) override { counters_ = counters; }
 
     unsigned int mesh_version() const override { return space_->n_meshes(); }
     std::vector<CellInfo> cells() const override;
