@@ -34,7 +34,8 @@ namespace abut
                                                  WarningCode::unpaired_overlap,
                                                  WarningCode::body_without_contact,
                                                  WarningCode::coarse_mesh,
-                                                 WarningCode::idle_processes};
+                                                 WarningCode::idle_processes,
+                                                 WarningCode::checkpoint_not_saved};
     return all;
   }
 
@@ -102,6 +103,8 @@ namespace abut
       return "coarse-mesh";
     case WarningCode::idle_processes:
       return "idle-processes";
+    case WarningCode::checkpoint_not_saved:
+      return "checkpoint-not-saved";
     }
     return "unknown";
   }

@@ -19,6 +19,9 @@ namespace abut
           ->take_all()
           ->allow_extra_args(false);
       app.add_option("--output", output, "Folder of the results (overrides Output/Directory)");
+      app.add_option("--resume", arguments.resume,
+                     "Instead of FILE.prm: go on with the run that was interrupted, with its results in DIR")
+          ->type_name("DIR");
       app.add_flag("--check", arguments.check, "Check the scene, print what would be solved, and stop");
       app.add_flag("--quiet", arguments.quiet, "No progress and no tables; errors only");
       app.add_flag("--print-parameters", arguments.print_parameters,
@@ -73,13 +76,20 @@ namespace abut
     add_options(app, arguments, output);
     add_tasks(app, arguments);
     // After the subcommands, which would inherit it.
-    app.footer("`mpirun -np N abut FILE.prm` shares the bodies of a scene among N processes.\n\n"
-               "Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did not "
-               "reach what it was asked for (the results say so).");
+    app.footer(
+        "`mpirun -np N abut FILE.prm` shares the bodies of a scene among N processes.\n\n"
+        "A long run that adapts saves its state in the folder of its results; `abut --resume DIR` goes "
+        "on from there if it was interrupted, on any number of processes.\n\n"
+        "Exit status: 0 converged; 1 wrong command line, parameter, mesh or scene; 2 ran, but did not "
+        "reach what it was asked for (the results say so).");
     try
     {
       app.parse(argc, argv);
-      if (arguments.file.empty() && !arguments.print_parameters && arguments.reference.empty())
+      if (!arguments.resume.empty() && (!arguments.file.empty() || !arguments.overrides.empty() ||
+                                        !output.empty() || arguments.check || arguments.task != Task::solve))
+        throw CLI::ExcludesError("--resume", "all but --quiet: it is a scene's run, with its own parameters");
+      if (arguments.file.empty() && arguments.resume.empty() && !arguments.print_parameters &&
+          arguments.reference.empty())
         throw CLI::RequiredError("FILE.prm");
     }
     catch (const CLI::ParseError &error)

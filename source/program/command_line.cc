@@ -42,8 +42,10 @@ namespace abut
     {
       int status = ExitStatus::converged;
       const auto run = [&]() {
-        const Scene scene = Scene::read(arguments.file, arguments.overrides);
-        status = run_scene(scene, Executor(processes), arguments.quiet, out, err);
+        const Executor executor(processes);
+        status = arguments.resume.empty() ? run_scene(Scene::read(arguments.file, arguments.overrides),
+                                                      executor, arguments.quiet, out, err)
+                                          : resume_run(arguments.resume, executor, arguments.quiet, out, err);
       };
       if (processes)
         processes->run(run);
@@ -111,6 +113,7 @@ namespace abut
       const std::optional<Arguments> arguments = parse_arguments(argc, argv, status, out, err);
       if (!arguments)
         return status;
+      const std::string &subject = arguments->resume.empty() ? arguments->file : arguments->resume;
       std::shared_ptr<Processes>
           processes; // until the last word is said: mpirun ends all when one has ended badly
       try
@@ -121,25 +124,24 @@ namespace abut
       catch (const UserError &error)
       {
         const std::string text = error.what();
-        const bool names_file = arguments->file.empty() || text.find(arguments->file) != std::string::npos;
+        const bool names_file = subject.empty() || text.find(subject) != std::string::npos;
         // one piece: mpirun's lines do not come within it
-        err << "abut: " + (names_file ? "" : arguments->file + ": ") + text + '\n';
+        err << "abut: " + (names_file ? "" : subject + ": ") + text + '\n';
         return ExitStatus::wrong_input;
       }
       catch (const ComputationError &error)
       {
-        err << "abut: " + arguments->file + ": " + error.what() + ". No results were written\n";
+        err << "abut: " + subject + ": " + error.what() + ". No results were written\n";
         return ExitStatus::not_converged;
       }
       catch (const std::bad_alloc &)
       {
-        err << "abut: " << arguments->file << ": out of memory; use fewer cells (Body <name>/Cells)\n";
+        err << "abut: " << subject << ": out of memory; use fewer cells (Body <name>/Cells)\n";
         return ExitStatus::not_converged;
       }
       catch (const std::exception &error)
       {
-        err << "abut: " << arguments->file
-            << ": ended by an error that the program does not know: " << error.what()
+        err << "abut: " << subject << ": ended by an error that the program does not know: " << error.what()
             << ". No results were written\n";
         return ExitStatus::not_converged;
       }

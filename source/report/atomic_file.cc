@@ -9,14 +9,24 @@
 #include <fstream>
 #include <sys/file.h>
 #include <unistd.h>
+#include <vector>
 
 namespace abut
 {
   namespace
   {
+    const std::string temporary_ending = ".partial-";
+
     std::string temporary_name(const std::string &path)
     {
-      return path + ".partial-" + std::to_string(getpid());
+      return path + temporary_ending + std::to_string(getpid());
+    }
+
+    bool is_temporary(const std::string &name)
+    {
+      const auto ending = name.rfind(temporary_ending);
+      return ending != std::string::npos && name.size() > ending + temporary_ending.size() &&
+             name.find_first_not_of("0123456789", ending + temporary_ending.size()) == std::string::npos;
     }
 
     /// Whether all of it was written; errno says why not.
@@ -33,25 +43,46 @@ namespace abut
     {
       return error == 0 ? "unknown error" : std::strerror(error);
     }
+
+    /// Waits until a file is on the disk; likewise.
+    bool bring_to_disk(const std::string &path)
+    {
+      const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+      const bool is_there = fsync(descriptor) == 0;
+      const int error = errno;
+      close(descriptor);
+      errno = error;
+      return is_there;
+    }
+
+    void write_whole(const std::string &path, const std::string &content, const bool to_disk)
+    {
+      const std::string temporary = temporary_name(path);
+      const bool written = write_plainly(temporary, content) && (!to_disk || bring_to_disk(temporary));
+      std::string failure = written ? "" : reason_of(errno);
+      if (written)
+      {
+        std::error_code error;
+        std::filesystem::rename(temporary, path, error);
+        if (error)
+          failure = error.message();
+      }
+      if (failure.empty())
+        return;
+      std::error_code ignored;
+      std::filesystem::remove(temporary, ignored);
+      throw UserError("Output: the file " + path + " could not be written (" + failure + ")");
+    }
   } // namespace
 
   void write_file(const std::string &path, const std::string &content)
   {
-    const std::string temporary = temporary_name(path);
-    const bool written = write_plainly(temporary, content);
-    std::string failure = written ? "" : reason_of(errno);
-    if (written)
-    {
-      std::error_code error;
-      std::filesystem::rename(temporary, path, error);
-      if (error)
-        failure = error.message();
-    }
-    if (failure.empty())
-      return;
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw UserError("Output: the file " + path + " could not be written (" + failure + ")");
+    write_whole(path, content, false);
+  }
+
+  void write_file_to_disk(const std::string &path, const std::string &content)
+  {
+    write_whole(path, content, true);
   }
 
   namespace
@@ -75,15 +106,31 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    void remove_temporary_files(const std::string &directory)
+    {
+      std::error_code ignored;
+      std::vector<std::filesystem::path> left;
+      for (const auto &entry : std::filesystem::directory_iterator(directory, ignored))
+        if (is_temporary(entry.path().filename().string()))
+          left.push_back(entry.path());
+      for (const std::filesystem::path &path : left)
+        std::filesystem::remove(path, ignored);
+    }
+  } // namespace
+
   OutputDirectory::OutputDirectory(const std::string &path)
   {
     make_directory(path);
     descriptor_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
-      return;
-    close(descriptor_);
-    throw UserError("Output/Directory: another run writes its results to `" + path +
-                    "` at this moment; name another folder (--output), or wait for its end");
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    {
+      close(descriptor_);
+      throw UserError("Output/Directory: another run writes its results to `" + path +
+                      "` at this moment; name another folder (--output), or wait for its end");
+    }
+    remove_temporary_files(path);
   }
 
   OutputDirectory::~OutputDirectory()

@@ -40,8 +40,24 @@ namespace abut
       overrides_.push_back(line_of_override(given));
   }
 
-  std::string ParameterFile::directory() const
+  namespace
   {
-    return std::filesystem::path(name_).parent_path().string();
+    /// Empty where there is none any more.
+    std::string present_directory()
+    {
+      std::error_code gone;
+      return std::filesystem::current_path(gone).string();
+    }
+  } // namespace
+
+  SceneInput ParameterFile::read() const
+  {
+    return {name_, read_parameter_lines(text_), overrides_, present_directory()};
+  }
+
+  std::string SceneInput::directory() const
+  {
+    const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+    return working_directory == present_directory() ? folder.string() : (working_directory / folder).string();
   }
 } // namespace abut

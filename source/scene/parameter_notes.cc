@@ -45,6 +45,7 @@ namespace abut
               {"Constants", "Values", "the user's units", "", frames},
               {"Output", "Directory", "", "", first_scene},
               {"Output", "Condition numbers", "", "", edges_page},
+              {"Output", "Checkpoint", "", "", "long-runs.md"},
               {"Output", "Report", "", "", first_scene},
               {"Output", "Points", "lengths", "(x, y); body: (x, y); ..., or nothing", first_scene},
               {"Discretisation", "Degree", "", "", elements_page}};

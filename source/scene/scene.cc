@@ -2,6 +2,7 @@
 #include <abut/base/text.h>
 #include <abut/scene/consistency.h>
 #include <abut/scene/default_materials.h>
+#include <abut/scene/output_parameters.h>
 #include <abut/scene/parameter_file.h>
 #include <abut/scene/part_description.h>
 #include <abut/scene/preamble.h>
@@ -19,26 +20,6 @@ namespace abut
   {
     using dealii::ParameterHandler;
     using Names = std::vector<std::string>;
-
-    void declare_output(ParameterHandler &prm)
-    {
-      prm.declare_entry(
-          "Directory", "", dealii::Patterns::DirectoryName(),
-          "Where results are written. Empty: results/, then the parameter file's name without its "
-          "ending.");
-      prm.declare_entry(
-          "Condition numbers", "false", dealii::Patterns::Bool(),
-          "Whether summary.json tells the condition numbers of the bodies' stiffness matrices, which "
-          "costs 60 solves of each.");
-      prm.declare_entry("Report", "true", dealii::Patterns::Bool(),
-                        "Whether report.html is written: one page with the figures of the run.");
-      prm.declare_entry(
-          "Points", "", dealii::Patterns::Anything(),
-          "Where the solution is told, in points.csv and summary.json: displacement, stress and von Mises "
-          "stress at points of the undeformed bodies, as (x, y); body: (x, y); ..., lengths in the plane. "
-          "Without a name all bodies tell that have the point. Stresses are means over the cells that meet "
-          "there.");
-    }
 
     void declare_discretisation_defaults(ParameterHandler &prm)
     {
@@ -163,16 +144,7 @@ namespace abut
       scene.finds_contacts = preamble.finds_contacts;
       scene.contact_distance =
           sections.parse("", [](const ParameterHandler &prm) { return prm.get_double("Contact distance"); });
-      scene.tells_condition = sections.parse(
-          "Output", [](const ParameterHandler &prm) { return prm.get_bool("Condition numbers"); });
-      scene.writes_report =
-          sections.parse("Output", [](const ParameterHandler &prm) { return prm.get_bool("Report"); });
-      scene.output_points = sections.parse(
-          "Output", [](const ParameterHandler &prm) { return parse_output_points(prm.get("Points")); });
-      scene.output_directory =
-          sections.parse("Output", [](const ParameterHandler &prm) { return prm.get("Directory"); });
-      if (scene.output_directory.empty())
-        scene.output_directory = "results/" + std::filesystem::path(scene.file).stem().string();
+      sections.parse("Output", [&](const ParameterHandler &prm) { parse_output(prm, scene); });
       for (const auto &name : preamble.contacts)
         scene.contacts.push_back(sections.parse("Contact " + name, [&](ParameterHandler &prm) {
           return ContactDescription::parse(prm, name, preamble.constants);
@@ -205,13 +177,14 @@ namespace abut
       return sections.text();
     }
 
-    Scene read_scene(const ParameterFile &input)
+    Scene read_scene(const SceneInput &input)
     {
       Scene scene;
-      scene.file = input.name();
-      std::vector<ParameterLine> lines = input.lines();
+      scene.file = input.name;
+      scene.input = input;
+      std::vector<ParameterLine> lines = input.lines;
       scene.repeated = repeated_parameters(lines);
-      lines.insert(lines.end(), input.overrides().begin(), input.overrides().end());
+      lines.insert(lines.end(), input.overrides.begin(), input.overrides.end());
 
       ParameterSections sections;
       sections.declare(first_sections);
@@ -235,21 +208,35 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    /// The scene of `input`, which is made within: its messages name the file.
+    template <typename Input> Scene read_scene_of(const std::string &file, const Input &input)
+    {
+      try
+      {
+        return read_scene(input());
+      }
+      catch (const UserError &error)
+      {
+        throw UserError(file + ": " + error.what());
+      }
+      catch (const dealii::ExceptionBase &exception)
+      {
+        throw UserError(file + ": " + one_line(exception));
+      }
+    }
+  } // namespace
+
   Scene Scene::read(const std::string &file, const std::vector<std::string> &overrides)
   {
     const ParameterFile input(file, overrides);
-    try
-    {
-      return read_scene(input);
-    }
-    catch (const UserError &error)
-    {
-      throw UserError(file + ": " + error.what());
-    }
-    catch (const dealii::ExceptionBase &exception)
-    {
-      throw UserError(file + ": " + one_line(exception));
-    }
+    return read_scene_of(file, [&]() { return input.read(); });
+  }
+
+  Scene Scene::read(const SceneInput &input)
+  {
+    return read_scene_of(input.name, [&]() { return input; });
   }
 
   std::vector<SectionDeclaration> Scene::sections()
@@ -279,6 +266,21 @@ namespace abut
     return static_cast<std::size_t>(
         std::find_if(bodies.begin(), bodies.end(), [&](const auto &body) { return body.name == name; }) -
         bodies.begin());
+  }
+
+  std::vector<std::string> Scene::mesh_files() const
+  {
+    std::vector<std::string> files;
+    const auto add = [&](const BodyDescription &body) {
+      if (!body.mesh_file.empty())
+        files.push_back(body.mesh_path);
+    };
+    for (const BodyDescription &body : bodies)
+    {
+      add(body);
+      std::for_each(body.parts.begin(), body.parts.end(), add);
+    }
+    return files;
   }
 
   bool Scene::adapts() const

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/checksum.h>
 #include <abut/base/text.h>
 #include <abut/scene/estimator_entry.h>
 #include <abut/study/fine_run.h>
 
 #include <array>
-#include <cstdint>
-#include <fstream>
-#include <sstream>
 
 namespace abut
 {
@@ -70,24 +68,6 @@ namespace abut
       list.insert(list.end(), more.begin(), more.end());
     }
 
-    /// FNV-1a, 64 bits.
-    std::string hash(std::istream &in)
-    {
-      std::uint64_t value = 14695981039346656037ULL;
-      for (char c; in.get(c);)
-        value = (value ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-      std::ostringstream text;
-      text << std::hex << value;
-      return text.str();
-    }
-
-    std::string mesh_identity(const BodyDescription &body)
-    {
-      if (body.mesh_file.empty())
-        return {};
-      std::ifstream file(body.mesh_path, std::ios::binary);
-      return body.mesh_path + ' ' + hash(file) + '\n';
-    }
   } // namespace
 
   Scene fine_scene(const std::string &file, const std::vector<std::string> &overrides,
@@ -111,12 +91,8 @@ namespace abut
   std::string identity_of(const Scene &scene)
   {
     std::string identity = "abut " ABUT_VERSION "\n" + scene.parameters;
-    for (const BodyDescription &body : scene.bodies)
-    {
-      identity += mesh_identity(body);
-      for (const BodyDescription &part : body.parts)
-        identity += mesh_identity(part);
-    }
+    for (const std::string &path : scene.mesh_files())
+      identity += path + ' ' + file_checksum(path) + '\n';
     return identity;
   }
 } // namespace abut

@@ -46,27 +46,42 @@ namespace abut::testing
     return run_processes_in(new_folder() / "results", groups);
   }
 
+  namespace
+  {
+    /// `output`: what is asked of all of them beside.
+    Answer answer_of(const std::vector<Group> &groups, const std::string &output)
+    {
+      const std::filesystem::path folder = new_folder();
+      Answer answer{};
+      // Tests may run as root, on fewer cores than processes.
+      std::string command = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " ABUT_TIMEOUT
+                            " 200 " ABUT_MPIRUN " --oversubscribe";
+      for (std::size_t i = 0; i < groups.size(); ++i)
+      {
+        command += (i > 0 ? " : -np " : " -np ") + std::to_string(groups[i].n_processes) + " " +
+                   in_quotes(ABUT_PROGRAM);
+        for (const std::string &argument : groups[i].arguments)
+          command += " " + in_quotes(argument);
+        command += output;
+      }
+      const std::string out = folder / "out", err = folder / "err";
+      const int ended = std::system((command + " >" + in_quotes(out) + " 2>" + in_quotes(err)).c_str());
+      answer.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+      answer.out = read_file(out);
+      answer.err = words_of_abut(read_file(err));
+      return answer;
+    }
+  } // namespace
+
+  Answer run_processes_with(const std::vector<Group> &groups)
+  {
+    return answer_of(groups, "");
+  }
+
   Answer run_processes_in(const std::string &directory, const std::vector<Group> &groups)
   {
-    const std::filesystem::path folder = new_folder();
-    Answer answer{};
+    Answer answer = answer_of(groups, " --output " + in_quotes(directory));
     answer.directory = directory;
-    // Tests may run as root, on fewer cores than processes.
-    std::string command = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " ABUT_TIMEOUT
-                          " 200 " ABUT_MPIRUN " --oversubscribe";
-    for (std::size_t i = 0; i < groups.size(); ++i)
-    {
-      command += (i > 0 ? " : -np " : " -np ") + std::to_string(groups[i].n_processes) + " " +
-                 in_quotes(ABUT_PROGRAM);
-      for (const std::string &argument : groups[i].arguments)
-        command += " " + in_quotes(argument);
-      command += " --output " + in_quotes(answer.directory);
-    }
-    const std::string out = folder / "out", err = folder / "err";
-    const int ended = std::system((command + " >" + in_quotes(out) + " 2>" + in_quotes(err)).c_str());
-    answer.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-    answer.out = read_file(out);
-    answer.err = words_of_abut(read_file(err));
     std::ifstream summary(answer.directory + "/summary.json");
     if (summary)
       answer.summary = nlohmann::json::parse(summary);

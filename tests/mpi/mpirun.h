@@ -19,6 +19,9 @@ namespace abut::testing
   /// The same with a folder of the caller's.
   Answer run_processes_in(const std::string &directory, const std::vector<Group> &groups);
 
+  /// The same without `--output`.
+  Answer run_processes_with(const std::vector<Group> &groups);
+
   /// The lines of a text.
   std::vector<std::string> lines(const std::string &text);
 } // namespace abut::testing

@@ -55,23 +55,35 @@ namespace abut::testing
     return run_in(new_path().string(), std::move(arguments));
   }
 
+  namespace
+  {
+    Answer answer_to(const std::vector<std::string> &arguments, const std::string &directory)
+    {
+      std::vector<const char *> argv = {"abut"};
+      for (const std::string &argument : arguments)
+        argv.push_back(argument.c_str());
+      std::ostringstream out, err;
+      Answer answer{};
+      answer.status = run_command_line(static_cast<int>(argv.size()), argv.data(), out, err);
+      answer.out = out.str();
+      answer.err = err.str();
+      answer.directory = directory;
+      std::ifstream summary(directory + "/summary.json");
+      if (summary)
+        answer.summary = nlohmann::json::parse(summary);
+      return answer;
+    }
+  } // namespace
+
   Answer run_in(const std::string &directory, std::vector<std::string> arguments)
   {
-    arguments.insert(arguments.begin(), "abut");
     arguments.insert(arguments.end(), {"--output", directory});
-    std::vector<const char *> argv;
-    for (const std::string &argument : arguments)
-      argv.push_back(argument.c_str());
-    std::ostringstream out, err;
-    Answer answer{};
-    answer.status = run_command_line(static_cast<int>(argv.size()), argv.data(), out, err);
-    answer.out = out.str();
-    answer.err = err.str();
-    answer.directory = directory;
-    std::ifstream summary(directory + "/summary.json");
-    if (summary)
-      answer.summary = nlohmann::json::parse(summary);
-    return answer;
+    return answer_to(arguments, directory);
+  }
+
+  Answer resume(const std::string &directory, const std::vector<std::string> &more)
+  {
+    return answer_to(with({"--resume", directory}, more), directory);
   }
 
   namespace

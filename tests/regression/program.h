@@ -24,6 +24,9 @@ namespace abut::testing
   /// The same with a folder of the caller's.
   Answer run_in(const std::string &directory, std::vector<std::string> arguments);
 
+  /// Goes on with the run whose results are to be in a folder.
+  Answer resume(const std::string &directory, const std::vector<std::string> &more = {});
+
   /// Runs a scene of the project's folder `prm` with overrides `Section/Name=value`.
   Answer run_scene(const std::string &scene, const std::vector<std::string> &overrides = {});
 

@@ -33,6 +33,8 @@ namespace
   {
     const fs::path path = folder_ / "a.txt";
     write_file(path, "old");
+    write_file_to_disk(path, "newer");
+    EXPECT_EQ(content_of(path), "newer");
     write_file(path, "new\n");
     EXPECT_EQ(content_of(path), "new\n");
     EXPECT_EQ(n_files(), 2u); // with the scene
@@ -79,6 +81,16 @@ namespace
     const OutputDirectory first(folder_ / "a");
     expect_phrase(message_of([&] { OutputDirectory{folder_ / "a"}; }), "another run writes its results to");
     const OutputDirectory other(folder_ / "b");
+  }
+
+  TEST_F(ReportFolder, OutputDirectoryIsRidOfWhatAKilledRunWasWriting)
+  {
+    write_file(folder_ / "a.vtu.partial-12", "half");
+    write_file(folder_ / "a.vtu.partial-", "another's");
+    write_file(folder_ / "a.vtu.partial-1x", "another's");
+    const OutputDirectory directory(folder_);
+    EXPECT_EQ(n_files(), 3u); // with the scene
+    EXPECT_FALSE(fs::exists(folder_ / "a.vtu.partial-12"));
   }
 
   TEST_F(ReportFolder, OutputDirectoryMustBeAWritableFolder)

@@ -146,6 +146,34 @@ TEST(Scene, its_parameters_read_again_are_the_same)
   EXPECT_EQ(second.decomposition.tolerance, 1e-3);
 }
 
+TEST(Scene, its_input_read_again_is_the_same_from_any_folder)
+{
+  const SceneFile file(two_squares);
+  const std::filesystem::path before = std::filesystem::current_path();
+  const auto in_folder = [&](const std::string &folder, const auto &read) {
+    std::filesystem::current_path(folder);
+    const Scene scene = read();
+    std::filesystem::current_path(before);
+    return scene;
+  };
+  // By a name that means another file elsewhere.
+  const Scene first = in_folder(file.directory(), [] {
+    return Scene::read("scene.prm", {"Body upper/Mesh file=gear.msh", "Body upper/Adapt=true",
+                                     "Adaptation/Estimator=zz", "Output/Checkpoint=every pass"});
+  });
+  Bytes bytes = packed(first.input);
+  SceneInput input;
+  unpack(bytes, input);
+  const auto again = [&] { return Scene::read(input); };
+  const Scene here = in_folder(file.directory(), again), elsewhere = in_folder("/", again);
+  EXPECT_EQ(here.parameters, first.parameters);
+  EXPECT_EQ(here.mesh_files(), std::vector<std::string>{"gear.msh"});
+  EXPECT_EQ(elsewhere.parameters, first.parameters);
+  EXPECT_EQ(elsewhere.mesh_files(), std::vector<std::string>{file.directory() + "/gear.msh"});
+  EXPECT_EQ(elsewhere.file, "scene.prm");
+  EXPECT_EQ(elsewhere.checkpoints, CheckpointTimes::every_pass);
+}
+
 TEST(Scene, prints_every_parameter_with_its_documentation)
 {
   std::ostringstream text;

@@ -39,7 +39,8 @@ namespace abut
     unpaired_overlap,
     body_without_contact,
     coarse_mesh,
-    idle_processes
+    idle_processes,
+    checkpoint_not_saved
   };
 
   /// All of them, in the order above.

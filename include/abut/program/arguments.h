@@ -20,7 +20,8 @@ namespace abut
   /// What the command line says.
   struct Arguments
   {
-    std::string file;                   ///< empty with print_parameters and reference only
+    std::string file;                   ///< empty with resume, print_parameters and reference only
+    std::string resume;                 ///< folder of the run to go on with; empty: none
     std::vector<std::string> overrides; ///< `Section/Name=value`, in their order; `--output` last
     std::string reference;              ///< name of the page to print; empty: none
     bool check = false, quiet = false, print_parameters = false;

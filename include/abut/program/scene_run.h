@@ -13,6 +13,10 @@ namespace abut
   int run_scene(const Scene &scene, const Executor &executor, bool quiet, std::ostream &out,
                 std::ostream &err);
 
+  /// The same for the run whose checkpoint is in a folder: goes on from there.
+  int resume_run(const std::string &directory, const Executor &executor, bool quiet, std::ostream &out,
+                 std::ostream &err);
+
   /// Prints what would be solved.
   int check_scene(const Scene &scene, std::ostream &out, std::ostream &err);
 } // namespace abut

@@ -12,10 +12,15 @@ namespace abut
    */
   void write_file(const std::string &path, const std::string &content);
 
+  /// The same, and a machine that goes down keeps the old content or the new one: it is on the disk before
+  /// the old one goes. Costs as long as the disk takes.
+  void write_file_to_disk(const std::string &path, const std::string &content);
+
   /**
    * The folder of a run's results, for this run alone as long as the object lives. Construction makes it and
-   * those above it where they are missing. Throws UserError where the path is a file, nothing can be written
-   * there, or another run writes there at this moment (on file systems that can lock a folder).
+   * those above it where they are missing, and removes what a killed run has left of files that it was
+   * writing. Throws UserError where the path is a file, nothing can be written there, or another run writes
+   * there at this moment (on file systems that can lock a folder).
    */
   class OutputDirectory
   {

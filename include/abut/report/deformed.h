@@ -18,6 +18,8 @@ namespace abut
     std::vector<Polyline> cells;   ///< outlines, enough points for curved edges
     std::vector<double> von_mises; ///< mean over each cell; none of a rigid body
     bool is_rigid = false;         ///< its only cell is the body
+
+    void serialize(Archive &archive) { archive(cells, von_mises, is_rigid); }
   };
 
   /// A stretch of parts as it is drawn, with its contact pressure.
@@ -26,6 +28,8 @@ namespace abut
     Polyline nodes;   ///< the parts' places
     Polyline normals; ///< outward, undeformed
     std::vector<double> pressures;
+
+    void serialize(Archive &archive) { archive(nodes, normals, pressures); }
   };
 
   /// All bodies with their motions exaggerated.
@@ -36,6 +40,8 @@ namespace abut
     double size = 0.; ///< diagonal of the box around the undeformed bodies
     Exaggeration exaggeration;
     bool moved_apart = false; ///< some body is drawn elsewhere
+
+    void serialize(Archive &archive) { archive(bodies, contacts, size, exaggeration, moved_apart); }
   };
 
   /// A body where it lies before anything moves, with the stress of its solution.

@@ -12,6 +12,8 @@ namespace abut
   {
     double deformation = 1.;
     double rigid = 1.; ///< of the bodies' rigid motions; between 1 and `deformation`
+
+    void serialize(Archive &archive) { archive(deformation, rigid); }
   };
 
   /**

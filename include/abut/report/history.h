@@ -29,6 +29,8 @@ namespace abut
     /// What the pass has found stands in its last row.
     void end_pass(const PassRecord &record);
 
+    void serialize(Archive &archive) { archive(pass_, counts_, rows_); }
+
     /// Header and rows. Cells are empty where nothing was estimated or known; `error_iteration` is the
     /// guaranteed bound of the state that the step began with.
     std::string csv() const;
@@ -42,6 +44,8 @@ namespace abut
       double wall_time;
       std::optional<StepEstimate> estimate;
       std::optional<PassRecord> found;
+
+      void serialize(Archive &archive) { archive(pass, counts, step, wall_time, estimate, found); }
     };
     static std::vector<std::string> cells(const Row &row);
 

@@ -5,6 +5,21 @@
 
 namespace abut
 {
+  /// What a parameter file, the files that it includes and the overrides say: all that a scene is made of but
+  /// its mesh files.
+  struct SceneInput
+  {
+    std::string name;                     ///< of the file, for messages
+    std::vector<ParameterLine> lines;     ///< of the file, read_parameter_lines
+    std::vector<ParameterLine> overrides; ///< after them
+    std::string working_directory;        ///< in which it was read
+
+    /// Where relative names in the file begin, as seen from the present working directory.
+    std::string directory() const;
+
+    void serialize(Archive &archive) { archive(name, lines, overrides, working_directory); }
+  };
+
   /// A parameter file and the overrides that follow it.
   class ParameterFile
   {
@@ -13,13 +28,8 @@ namespace abut
     /// `Section/Sub/Name=value`.
     ParameterFile(const std::string &name, const std::vector<std::string> &overrides);
 
-    /// Those of the file, read_parameter_lines.
-    std::vector<ParameterLine> lines() const { return read_parameter_lines(text_); }
-    const std::vector<ParameterLine> &overrides() const { return overrides_; }
-
-    const std::string &name() const { return name_; }
-    /// Where relative names in the file begin.
-    std::string directory() const;
+    /// Throws UserError as read_parameter_lines does.
+    SceneInput read() const;
 
   private:
     std::string name_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <string>
 #include <vector>
 
@@ -17,6 +19,8 @@ namespace abut
 
     /// The sections, joined by `/`.
     std::string section() const;
+
+    void serialize(Archive &archive) { archive(sections, sets, name, value, number, place); }
   };
 
   /**

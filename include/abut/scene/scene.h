@@ -6,7 +6,9 @@
 #include <abut/scene/contact_description.h>
 #include <abut/scene/decomposition_parameters.h>
 #include <abut/scene/goal.h>
+#include <abut/scene/output_parameters.h>
 #include <abut/scene/output_point.h>
+#include <abut/scene/parameter_file.h>
 #include <abut/scene/parameter_sections.h>
 #include <abut/scene/reference_parameters.h>
 #include <abut/scene/repeated_parameters.h>
@@ -22,9 +24,11 @@ namespace abut
   struct Scene
   {
     std::string file; ///< name of the parameter file, for messages
+    SceneInput input; ///< what the scene was read from
     std::string output_directory;
-    bool tells_condition = false;             ///< summary.json has the condition numbers
-    bool writes_report = true;                ///< report.html
+    bool tells_condition = false; ///< summary.json has the condition numbers
+    bool writes_report = true;    ///< report.html
+    CheckpointTimes checkpoints = CheckpointTimes::automatic;
     std::vector<OutputPoint> output_points;   ///< where the solution is told
     std::vector<BodyDescription> bodies;      ///< in the order of the list `Bodies`
     std::vector<ContactDescription> contacts; ///< in the order of the list `Contacts`
@@ -47,6 +51,8 @@ namespace abut
      * pairs, sizes that a shape does not take, triangles of degree 3, ...).
      */
     static Scene read(const std::string &file, const std::vector<std::string> &overrides = {});
+    /// The same once more, from what a scene was read from.
+    static Scene read(const SceneInput &input);
 
     /// All that a file may have, those of bodies, contacts, ... once, under the name `<name>`.
     static std::vector<SectionDeclaration> sections();
@@ -59,6 +65,8 @@ namespace abut
 
     /// Whether the mesh of some body follows the estimated error.
     bool adapts() const;
+    /// Where the files lie that the bodies' meshes are read from.
+    std::vector<std::string> mesh_files() const;
     bool has_tolerance() const { return tolerance > 0.; }
   };
 } // namespace abut

@@ -12,6 +12,8 @@ namespace abut
   {
     unsigned int pass = 0;
     DrawnScene scene;
+
+    void serialize(Archive &archive) { archive(pass, scene); }
   };
 
   /// Keeps the deformed bodies of the passes while a run goes on. Of many passes every second, fourth, ...
@@ -27,6 +29,8 @@ namespace abut
     const std::vector<PassDrawing> &drawings() const { return drawings_; }
     /// The last pass; null where its mesh has too many cells.
     const DrawnScene *last(const Results &results) const;
+
+    void serialize(Archive &archive) { archive(drawings_, stride_); }
 
   private:
     void draw(const Results &results);
