@@ -105,7 +105,8 @@ namespace abut
     template <typename Function> auto from_first(const Function &f) const
     {
       Executor executor = *this;
-      executor.owners_ = {0};
+      executor.homes_ = {Ranks{0}};
+      executor.groups_ = {nullptr};
       return std::move(executor.of_bodies(1, [&](const std::size_t) { return f(); }).front());
     }
 
