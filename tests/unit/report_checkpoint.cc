@@ -15,7 +15,8 @@ namespace
   RunState example_state()
   {
     RunState state;
-    state.marks = {{{{true, false}, {false, false}}, {{false}, {true}}}};
+    const CellMarks split{{true, false}, {false, false}, {{{1., 2.}, 3}}}, merged{{false}, {true}, {}};
+    state.marks = {{split, merged}};
     state.carried =
         CarriedState{{Eigen::Vector3d(1., 2., 3.), Eigen::Vector2d(-.1, 4.)}, Eigen::Vector2d(5., 0.), .25};
     state.passes.resize(1);
@@ -183,8 +184,8 @@ namespace
     DrawnScene drawn;
     drawn.bodies.resize(1);
     drawn.contacts.resize(1);
-    EXPECT_EQ(packed(example_state()).size(), 693u);
-    EXPECT_EQ(packed(example_history()).size(), 496u);
+    EXPECT_EQ(packed(example_state()).size(), 754u);
+    EXPECT_EQ(packed(example_history()).size(), 497u);
     EXPECT_EQ(packed(PassDrawing{0, drawn}).size(), 86u);
     EXPECT_EQ(packed(ParameterLine{}).size(), 37u);
   }
