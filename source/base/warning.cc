@@ -35,7 +35,8 @@ namespace abut
                                                  WarningCode::body_without_contact,
                                                  WarningCode::coarse_mesh,
                                                  WarningCode::idle_processes,
-                                                 WarningCode::checkpoint_not_saved};
+                                                 WarningCode::checkpoint_not_saved,
+                                                 WarningCode::coarse_gap};
     return all;
   }
 
@@ -105,6 +106,8 @@ namespace abut
       return "idle-processes";
     case WarningCode::checkpoint_not_saved:
       return "checkpoint-not-saved";
+    case WarningCode::coarse_gap:
+      return "coarse-gap";
     }
     return "unknown";
   }

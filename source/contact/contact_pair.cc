@@ -40,8 +40,11 @@ namespace abut
     AssertIndexRange(link, surface.links.size());
     Assert(penalty_ >= 0., dealii::ExcMessage("a penalty is no negative length per stress"));
     const GapFunction gap = gap_function(description, slave_placement, slave_is_cut);
-    coupling_ = couple(surface, normals, partition, link, gap);
-    samples_ = sample_gaps(surface, normals, partition, link, gap);
+    const GapPieces pieces = description.gap ? resolved_pieces(surface, normals[link], partition, link, gap)
+                                             : pieces_of_link(partition, link);
+    gap_steps_ = pieces.steps;
+    coupling_ = couple(surface, normals[link], pieces.pieces, partition.parts().size(), link, gap);
+    samples_ = sample_gaps(surface, normals[link], pieces.pieces, link, gap);
     coverage_ = coupling_.covered_length / slave.trace->length();
     check(description);
   }

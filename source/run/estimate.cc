@@ -2,12 +2,11 @@
 #include <abut/adaptation/goal_marks.h>
 #include <abut/adaptation/marking.h>
 #include <abut/base/user_error.h>
-#include <abut/contact/law_mismatch.h>
+#include <abut/run/contact_mismatch.h>
 #include <abut/run/estimate.h>
 #include <abut/run/goal_value.h>
 #include <abut/run/gradings.h>
 #include <abut/run/pressure_marks.h>
-#include <abut/trace/applied_traction.h>
 
 #include <cmath>
 #include <set>
@@ -16,36 +15,6 @@ namespace abut
 {
   namespace
   {
-    /// A rigid body has no cells.
-    void add_to_cells(const Trace &trace, const Eigen::VectorXd &of_segments, Eigen::VectorXd &cells)
-    {
-      if (cells.size() == 0)
-        return;
-      for (std::size_t i = 0; i < trace.segments().size(); ++i)
-        cells[trace.segments()[i].cell] += of_segments[static_cast<Eigen::Index>(i)];
-    }
-
-    void add_mismatch(const ContactPair &pair, const std::vector<bool> &near,
-                      const std::vector<BodyResult> &bodies, ContactMismatch &sum)
-    {
-      const auto displacement = [&](const ContactBody &side) {
-        const BodyResult &result = bodies[side.body];
-        return result.body->of_side(result.body->trace_of(result.displacement), side.side);
-      };
-      const auto traction = [&](const ContactBody &side) {
-        const BodyResult &result = bodies[side.body];
-        return applied_traction(*side.trace, result.body->of_side(result.estimate_forces, side.side));
-      };
-      const ContactBody &cut = pair.cut_side(), &other = pair.other_side();
-      const LawMismatch mismatch = law_mismatch(pair, near, {displacement(cut), displacement(other)},
-                                                {traction(cut), traction(other)});
-      sum.law += mismatch.law;
-      sum.responses[cut.body] += mismatch.cut_response;
-      sum.responses[other.body] += mismatch.other_response;
-      add_to_cells(*cut.trace, mismatch.of_cut_segments, sum.cells[cut.body]);
-      add_to_cells(*other.trace, mismatch.of_other_segments, sum.cells[other.body]);
-    }
-
     void mark_missed(const Scene &scene, const PairResult &result, const std::vector<BodyResult> &bodies,
                      std::vector<CellMarks> &marks)
     {
@@ -67,20 +36,44 @@ namespace abut
 
   namespace
   {
-    /// Of the two the larger one in every cell: where data are smooth an indicator sees the same error. The
-    /// stress of an energy norm is that of shear.
+    /// Of the two the larger one in every cell: what an indicator sees is not counted twice. The stress of an
+    /// energy norm is that of shear.
+    void include(const Body &body, const Eigen::VectorXd &energy, CellErrors &errors)
+    {
+      errors.energy = errors.energy.cwiseMax(energy);
+      errors.stress = errors.stress.cwiseMax(std::sqrt(2. * body.material().mu()) * energy);
+    }
+
+    /// Where data are smooth an indicator sees the same error.
     void include_oscillation(const Body &body, CellErrors &errors)
     {
       const Eigen::VectorXd oscillation = body.data_oscillation();
-      if (!(oscillation.array() > 0.).any())
-        return;
-      errors.energy = errors.energy.cwiseMax(oscillation);
-      errors.stress = errors.stress.cwiseMax(std::sqrt(2. * body.material().mu()) * oscillation);
+      if ((oscillation.array() > 0.).any())
+        include(body, oscillation, errors);
+    }
+
+    /// Indicators compare each body with itself: what the sides miss of the contact law within their cells,
+    /// for example a gap that goes up and down there, they do not see. It counts where it is more than all
+    /// that they see: at the ends of smooth contacts, and while pressures are iterated, some of it is always
+    /// there.
+    void include_mismatch(const ContactMismatch &mismatch, const std::vector<BodyResult> &bodies,
+                          std::vector<CellErrors> &errors)
+    {
+      double seen = 0., unseen = 0.;
+      for (std::size_t a = 0; a < bodies.size(); ++a)
+      {
+        seen += errors[a].energy.squaredNorm();
+        unseen += mismatch.cells[a].sum();
+      }
+      for (std::size_t a = 0; a < bodies.size() && unseen > seen; ++a)
+        if (mismatch.cells[a].size() > 0)
+          include(*bodies[a].body, mismatch.cells[a].cwiseSqrt(), errors[a]);
     }
   } // namespace
 
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
-                      const std::vector<BodyResult> &bodies, const Executor &executor)
+                      const std::vector<BodyResult> &bodies, const Executor &executor,
+                      const ContactMismatch *const unseen)
   {
     for ([[maybe_unused]] const BodyResult &body : bodies)
       AssertDimension(body.estimate_forces.size(), body.body->trace_size());
@@ -98,30 +91,11 @@ namespace abut
             "coordinates, stop earlier (a larger Tolerance, Adaptation/Maximum passes)");
       return errors;
     });
+    if (unseen != nullptr)
+      include_mismatch(*unseen, bodies, estimation.errors);
     for (const CellErrors &errors : estimation.errors)
       estimation.eta.push_back(relative_errors(errors, parameters.normalisation));
     return estimation;
-  }
-
-  ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,
-                                   const std::vector<BodyResult> &bodies)
-  {
-    AssertDimension(pressures.size(), problem.n_pressures());
-    AssertDimension(bodies.size(), problem.bodies().size());
-    ContactMismatch sum{0., std::vector<double>(bodies.size(), 0.), {}};
-    for (const BodyResult &body : bodies)
-      sum.cells.push_back(Eigen::VectorXd::Zero(body.body->counts().cells));
-    for (std::size_t surface = 0; surface < problem.surfaces().size(); ++surface)
-    {
-      const ContactSurface &parts = problem.surfaces()[surface];
-      std::vector<bool> presses;
-      for (const double pressure : problem.of_surface(surface, pressures))
-        presses.push_back(pressure > 0.);
-      const std::vector<bool> near = parts.near_contact(presses);
-      for (const ContactPair &pair : parts.pairs())
-        add_mismatch(pair, near, bodies, sum);
-    }
-    return sum;
   }
 
   namespace
@@ -178,10 +152,13 @@ namespace abut
           by_law ? pressures_by_law(problem, solution.iteration) : solution.iteration.traction;
       for (std::size_t a = 0; a < solution.bodies.size(); ++a)
         solution.bodies[a].estimate_forces = problem.contact_forces(a, pressures);
-      Estimation estimation =
-          estimate(indicator, setup.scene.adaptation, solution.bodies, setup.model.executor());
+      std::optional<ContactMismatch> mismatch;
+      if (!setup.scene.adaptation.combined) // whose pressures are those before the last step
+        mismatch = contact_mismatch(problem, pressures, solution.bodies);
+      Estimation estimation = estimate(indicator, setup.scene.adaptation, solution.bodies,
+                                       setup.model.executor(), mismatch && !by_law ? &*mismatch : nullptr);
       if (by_law)
-        estimation.mismatch = contact_mismatch(problem, pressures, solution.bodies);
+        estimation.mismatch = std::move(mismatch);
       for (std::size_t a = 0; a < solution.bodies.size(); ++a)
       {
         solution.bodies[a].eta = estimation.eta[a];
@@ -236,13 +213,33 @@ namespace abut
       return std::move(marks.cells);
     }
 
+    /// The errors of cells with what stands beside them, without the better stresses.
+    std::vector<CellErrors> errors_for_marks(const Estimation &estimation,
+                                             const std::vector<BodyResult> &bodies)
+    {
+      std::vector<CellErrors> all(estimation.errors.size());
+      for (std::size_t a = 0; a < all.size(); ++a)
+      {
+        const CellErrors &errors = estimation.errors[a];
+        all[a].stress = errors.stress;
+        all[a].energy = errors.energy;
+        all[a].areas = errors.areas;
+        all[a].stress_norm = errors.stress_norm;
+      }
+      if (estimation.mismatch)
+        include_mismatch(*estimation.mismatch, bodies, all);
+      return all;
+    }
+
     std::vector<CellMarks> marks_of_bodies(const Scene &scene, const Estimation &estimation,
                                            const std::vector<BodyResult> &bodies)
     {
+      const std::vector<CellErrors> errors = errors_for_marks(estimation, bodies);
       std::vector<CellMarks> marks;
       for (std::size_t a = 0; a < bodies.size(); ++a)
         marks.push_back(scene.bodies[a].adapt
-                            ? mark(estimation.errors[a], estimation.eta[a], scene.adaptation)
+                            ? mark(errors[a], relative_errors(errors[a], scene.adaptation.normalisation),
+                                   scene.adaptation)
                             : no_marks(bodies[a].body->counts().cells));
       return marks;
     }

@@ -17,7 +17,7 @@ namespace abut
                            const double rigid_displacement, const Eigen::VectorXd &amplitudes)
     {
       BodyResult result;
-      result.contact_forces = contact_forces;
+      result.contact_forces = result.estimate_forces = contact_forces;
       result.rigid_displacement = rigid_displacement;
       if (amplitudes.size() > 0)
         result.rigid_displacement = body.rigid_side_displacement(amplitudes);

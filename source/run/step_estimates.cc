@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/run/contact_mismatch.h>
 #include <abut/run/step_estimates.h>
 
 #include <cmath>

@@ -94,15 +94,13 @@ namespace abut
     };
   } // namespace
 
-  Coupling couple(const Surface &surface, const std::vector<CommonNormal> &normals,
-                  const Partition &partition, const std::size_t link, const GapFunction &gap)
+  Coupling couple(const Surface &surface, const CommonNormal &normal, const std::vector<Piece> &pieces,
+                  const std::size_t n_parts, const std::size_t link, const GapFunction &gap)
   {
-    AssertDimension(normals.size(), surface.links.size());
     AssertIndexRange(link, surface.links.size());
-    Coupler coupler(surface, normals[link], surface.links[link], gap, partition.parts().size());
-    for (const Piece &piece : partition.pieces())
-      if (piece.link == link)
-        coupler.add(piece);
+    Coupler coupler(surface, normal, surface.links[link], gap, n_parts);
+    for (const Piece &piece : pieces)
+      coupler.add(piece);
     return coupler.result();
   }
 } // namespace abut

@@ -29,21 +29,17 @@ namespace abut
     return smallest;
   }
 
-  GapSamples sample_gaps(const Surface &surface, const std::vector<CommonNormal> &normals,
-                         const Partition &partition, const std::size_t link, const GapFunction &gap)
+  GapSamples sample_gaps(const Surface &surface, const CommonNormal &normal, const std::vector<Piece> &pieces,
+                         const std::size_t link, const GapFunction &gap)
   {
-    AssertDimension(normals.size(), surface.links.size());
     AssertIndexRange(link, surface.links.size());
     constexpr Index per_piece = GapSamples::per_piece;
     const Trace &cut = *surface.cut[surface.links[link].cut].trace,
                 &other = *surface.others[surface.links[link].other].trace;
     GapSamples samples;
-    for (const Piece &piece : partition.pieces())
-      if (piece.link == link)
-      {
-        samples.pieces.push_back(piece);
-        samples.other_carries.push_back(other_carries(surface, piece));
-      }
+    samples.pieces = pieces;
+    for (const Piece &piece : pieces)
+      samples.other_carries.push_back(other_carries(surface, piece));
     const auto n = per_piece * static_cast<Index>(samples.pieces.size());
     samples.gap.resize(n);
     std::vector<Eigen::Triplet<double>> of_cut, of_other;
@@ -54,7 +50,7 @@ namespace abut
         const Segment &segment = cut.segments()[piece.cut_segment],
                       &opposite_segment = other.segments()[piece.other_segment];
         const double s = piece.start + (piece.end - piece.start) * double(k) / double(per_piece - 1);
-        const Opposite opposite = normals[link].project(piece.cut_segment, s, piece.other_segment);
+        const Opposite opposite = normal.project(piece.cut_segment, s, piece.other_segment);
         add_displacement(row, -1., segment, cut.basis().values(s), opposite.normal, of_cut);
         add_displacement(row, 1., opposite_segment, other.basis().values(opposite.t), opposite.normal,
                          of_other);

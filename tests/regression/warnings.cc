@@ -245,10 +245,11 @@ namespace
   TEST(Warnings, EveryCodeHasItsNeighbours)
   {
     // hidden-pair: contact_shapes.cc; repeated-parameter: above; of files: mesh_files.cc; then
-    // unpaired_bodies.cc, coarse_mesh.cc, resume.cc; tests/mpi.
-    std::set<std::string> tested = {"hidden-pair",  "repeated-parameter",   "cells-cut",
-                                    "one-material", "unpaired-overlap",     "body-without-contact",
-                                    "coarse-mesh",  "checkpoint-not-saved", "idle-processes"};
+    // unpaired_bodies.cc, coarse_mesh.cc, resume.cc, gap_within_cells.cc; tests/mpi.
+    std::set<std::string> tested = {"hidden-pair",  "repeated-parameter", "cells-cut",
+                                    "one-material", "unpaired-overlap",   "body-without-contact",
+                                    "coarse-mesh",  "idle-processes",     "checkpoint-not-saved",
+                                    "coarse-gap"};
     for (const Neighbours &neighbours : all_neighbours)
       tested.insert(neighbours.code);
     for (const abut::WarningCode code : abut::all_warning_codes())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/trace/coupling.h>
+#include <abut/trace/gap_pieces.h>
 
 #include "trace_testing.h"
 
@@ -21,7 +21,7 @@ namespace abut
 
     Coupling couple(const GapFunction &gap = geometric) const
     {
-      return abut::couple(surface, normals, partition, 0, gap);
+      return abut::couple(surface, normals[0], pieces_of_link(partition, 0).pieces, parts().size(), 0, gap);
     }
     static double geometric(const Vector2 &, const Opposite &opposite) { return opposite.gap; }
 

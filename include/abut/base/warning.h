@@ -40,7 +40,8 @@ namespace abut
     body_without_contact,
     coarse_mesh,
     idle_processes,
-    checkpoint_not_saved
+    checkpoint_not_saved,
+    coarse_gap
   };
 
   /// All of them, in the order above.

@@ -4,6 +4,7 @@
 #include <abut/contact/contact_body.h>
 #include <abut/scene/contact_description.h>
 #include <abut/scene/placement.h>
+#include <abut/trace/gap_pieces.h>
 #include <abut/trace/gap_samples.h>
 
 namespace abut
@@ -72,6 +73,8 @@ namespace abut
     double coverage() const { return coverage_; }
     /// The link of the surface.
     std::size_t link() const { return link_; }
+    /// Where its formula jumps.
+    const std::vector<GapStep> &gap_steps() const { return gap_steps_; }
     /// The gap at single points.
     const GapSamples &samples() const { return samples_; }
 
@@ -115,6 +118,7 @@ namespace abut
     std::size_t link_;
     Coupling coupling_;
     GapSamples samples_;
+    std::vector<GapStep> gap_steps_;
     double penalty_;
     bool gap_from_geometry_;
     double coverage_;

@@ -8,13 +8,11 @@
 
 namespace abut
 {
-  /// Of every body's deformation, against what the body answers its `estimate_forces` with.
+  /// Of every body's deformation, against what the body answers its `estimate_forces` with. `unseen`: what
+  /// the errors of cells are no smaller than, where it does not stand beside them (Estimation::mismatch).
   Estimation estimate(const Indicator &indicator, const AdaptationParameters &parameters,
-                      const std::vector<BodyResult> &bodies, const Executor &executor = {});
-
-  /// Of the bodies' displacements and their `estimate_forces`, which the pressures of all parts make.
-  ContactMismatch contact_mismatch(const InterfaceProblem &problem, const Eigen::VectorXd &pressures,
-                                   const std::vector<BodyResult> &bodies);
+                      const std::vector<BodyResult> &bodies, const Executor &executor = {},
+                      const ContactMismatch *unseen = nullptr);
 
   /// Whether the goal of a scene with a tolerance is near, by cheap estimates.
   class GoalDistance

@@ -47,6 +47,7 @@ namespace abut
   /// The initial normal gap at a point of the cut side.
   using GapFunction = std::function<double(const Vector2 &cut_point, const Opposite &opposite)>;
 
-  Coupling couple(const Surface &surface, const std::vector<CommonNormal> &normals,
-                  const Partition &partition, std::size_t link, const GapFunction &gap);
+  /// `pieces`: of the link (see GapPieces), `normal`: its own.
+  Coupling couple(const Surface &surface, const CommonNormal &normal, const std::vector<Piece> &pieces,
+                  std::size_t n_parts, std::size_t link, const GapFunction &gap);
 } // namespace abut

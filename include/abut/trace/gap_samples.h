@@ -37,6 +37,7 @@ namespace abut
   /// for quadratic functions, wherever their minimum lies between the first and the last sample.
   double smallest_value(const Eigen::VectorXd &samples);
 
-  GapSamples sample_gaps(const Surface &surface, const std::vector<CommonNormal> &normals,
-                         const Partition &partition, std::size_t link, const GapFunction &gap);
+  /// `pieces`: of the link (see GapPieces), `normal`: its own.
+  GapSamples sample_gaps(const Surface &surface, const CommonNormal &normal, const std::vector<Piece> &pieces,
+                         std::size_t link, const GapFunction &gap);
 } // namespace abut

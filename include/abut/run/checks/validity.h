@@ -36,6 +36,9 @@ namespace abut
   /// Of the pressures of one surface (any of its pairs): too narrow for the mesh, or rough.
   Warnings pressure_warnings(const PairResult &pair);
 
+  /// Of gaps that change within the cells that press: they are not resolved, or jump.
+  Warnings gap_warnings(const Scene &scene, const Solution &solution);
+
   /// Of a scene none of whose pairs carries a force.
   Warnings touch_warnings(const std::vector<PairResult> &pairs);
 
