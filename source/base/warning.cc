@@ -36,7 +36,8 @@ namespace abut
                                                  WarningCode::coarse_mesh,
                                                  WarningCode::idle_processes,
                                                  WarningCode::checkpoint_not_saved,
-                                                 WarningCode::coarse_gap};
+                                                 WarningCode::coarse_gap,
+                                                 WarningCode::soft_penalty};
     return all;
   }
 
@@ -108,6 +109,8 @@ namespace abut
       return "checkpoint-not-saved";
     case WarningCode::coarse_gap:
       return "coarse-gap";
+    case WarningCode::soft_penalty:
+      return "soft-penalty";
     }
     return "unknown";
   }

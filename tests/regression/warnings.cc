@@ -158,6 +158,10 @@ namespace
       {"singular-pressure",
        {never_touches, {"Body steel/Shift=0, 20"}},
        {never_touches, {"Body steel/Shift=0, 20", "Body nylon/Size=10, 20", "Body nylon/Cells=15, 30"}}},
+      // theta = .01 c takes its share of .0182 + theta.
+      {"soft-penalty",
+       {patch, {"Contact interface/Penalty coefficient=0.203"}},
+       {patch, {"Contact interface/Penalty coefficient=0.202"}}},
       {"lost-volume", {disc_onto_block, {"Body disc/Cells=4, 4"}}, {disc_onto_block, {}}},
       {"lost-volume",
        {disc_onto_block, {"Body disc/Cells=4, 4"}},

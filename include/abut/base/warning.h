@@ -41,7 +41,8 @@ namespace abut
     coarse_mesh,
     idle_processes,
     checkpoint_not_saved,
-    coarse_gap
+    coarse_gap,
+    soft_penalty
   };
 
   /// All of them, in the order above.

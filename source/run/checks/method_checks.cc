@@ -154,6 +154,7 @@ namespace abut
     append(warnings, displaced_overlap_warnings(scene, model, results));
     append(warnings, coarse_mesh_warnings(results));
     append(warnings, gap_warnings(scene, results));
+    append(warnings, penalty_warnings(scene, results));
     if (const std::string sentence = rough_part(results.passes); !sentence.empty())
       warnings.push_back({WarningCode::rough_estimator, sentence});
     for (const std::string &sentence : dropped_loads)

@@ -39,6 +39,9 @@ namespace abut
   /// Of gaps that change within the cells that press: they are not resolved, or jump.
   Warnings gap_warnings(const Scene &scene, const Solution &solution);
 
+  /// Of penalties that give way beside the bodies.
+  Warnings penalty_warnings(const Scene &scene, const Solution &solution);
+
   /// Of a scene none of whose pairs carries a force.
   Warnings touch_warnings(const std::vector<PairResult> &pairs);
 
