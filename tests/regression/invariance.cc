@@ -111,4 +111,35 @@ namespace
                              1e6},
                         View{"all_at_once", moved(37., .01, 1000., 1000.), .01}),
       [](const auto &parameter) { return parameter.param.name; });
+
+  /// Circles whose cells are far shorter than any fixed length, or far longer.
+  TEST(InvarianceOfCircles, ToTheUnitOfLength)
+  {
+    const auto fitted = [](const std::string &scale) {
+      return run_scene("shrink-fit", {"Body disc/Scale=" + scale, "Body ring/Scale=" + scale,
+                                      "Output/Points=(" + scale + ", 0)"});
+    };
+    const Answer reference = fitted("1");
+    ASSERT_EQ(reference.status, 0) << reference.err;
+    for (const auto &[scale, length] :
+         {std::pair("1e-9", 1e-9), std::pair("1e-12", 1e-12), std::pair("1e9", 1e9)})
+    {
+      const Answer answer = fitted(scale);
+      ASSERT_EQ(answer.status, 0) << answer.err;
+      const auto &found = answer.summary, &expected = reference.summary;
+      const auto near = [](const double value, const double wanted) {
+        EXPECT_NEAR(value, wanted, 1e-9 * std::abs(wanted));
+      };
+      for (const std::string key : {"normal_force", "contact_length"})
+        near(found["contacts"][0][key].get<double>(), length * expected["contacts"][0][key].get<double>());
+      near(found["contacts"][0]["max_pressure"], expected["contacts"][0]["max_pressure"]);
+      for (const std::size_t body : {0, 1})
+      {
+        near(found["bodies"][body]["max_von_mises"], expected["bodies"][body]["max_von_mises"]);
+        near(found["bodies"][body]["energy"],
+             length * length * expected["bodies"][body]["energy"].get<double>());
+      }
+      near(found["true_error"]["energy"], expected["true_error"]["energy"]);
+    }
+  }
 } // namespace
