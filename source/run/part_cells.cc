@@ -34,16 +34,18 @@ namespace abut
 
   namespace
   {
-    /// Of those on both sides of a piece; a rigid side has none.
-    PartCell lengths_of_cells(const ContactPair &pair, const Piece &piece)
+    /// On both sides of a piece; a rigid side has none.
+    PartCell cells_along(const ContactPair &pair, const Piece &piece, const bool other_carries)
     {
       const double cut = pair.cut_side().trace->segments()[piece.cut_segment].length,
                    other = pair.other_side().trace->segments()[piece.other_segment].length;
       if (pair.cut_side().is_rigid())
-        return {other, other};
+        return {other, other, other};
       if (pair.other_side().is_rigid())
-        return {cut, cut};
-      return {std::min(cut, other), std::max(cut, other)};
+        return {cut, cut, cut};
+      const Trace &carrier = *(other_carries ? pair.other_side() : pair.cut_side()).trace;
+      const double share = 2. / std::max(2., static_cast<double>(carrier.basis().degree()));
+      return {std::min(cut, other), std::max(cut, other), share * (other_carries ? other : cut)};
     }
   } // namespace
 
@@ -51,15 +53,18 @@ namespace abut
   {
     std::vector<PartCell> cells;
     for (const Part &part : surface.partition().parts())
-      cells.push_back({part.length, part.length});
+      cells.push_back({part.length, part.length, part.length});
     for (const ContactPair &pair : surface.pairs())
-      for (const Piece &piece : surface.partition().pieces())
-        if (piece.link == pair.link())
-        {
-          const auto [shorter, longer] = lengths_of_cells(pair, piece);
-          PartCell &cell = cells[piece.part];
-          cell = {std::max(cell.shorter, shorter), std::max(cell.longer, longer)};
-        }
+    {
+      const GapSamples &samples = pair.samples();
+      for (std::size_t i = 0; i < samples.pieces.size(); ++i)
+      {
+        const PartCell along = cells_along(pair, samples.pieces[i], samples.other_carries[i]);
+        PartCell &cell = cells[samples.pieces[i].part];
+        cell = {std::max(cell.shorter, along.shorter), std::max(cell.longer, along.longer),
+                std::max(cell.carrier, along.carrier)};
+      }
+    }
     return cells;
   }
 } // namespace abut

@@ -10,6 +10,8 @@ namespace abut
   {
     double shorter = 0.; ///< of both sides; at least the part itself, where the coarser side carries
     double longer = 0.;
+    /// Of the side that carries the multipliers; of degree 3 as much as has two distances between nodes.
+    double carrier = 0.;
   };
 
   /// The outermost piece of a part at its start (end = 0) or end (1).

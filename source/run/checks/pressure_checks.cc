@@ -66,7 +66,7 @@ namespace abut
           for (const std::size_t k : run)
           {
             length += pair.part(k).length;
-            cell = std::max(cell, cells[k].shorter);
+            cell = std::max({cell, cells[k].shorter, cells[k].carrier});
           }
           if (is_at_symmetry(*pair.surface, run.front(), 0) || is_at_symmetry(*pair.surface, run.back(), 1))
             length *= 2.; // it goes on beyond the plane
@@ -77,8 +77,9 @@ namespace abut
           text.precision(3);
           text << "Contact " << pair_name(*pair.surface, run.front()) << ": the contact at (" << place.x()
                << ", " << place.y() << ") is " << length << " wide, less than two cells of " << cell
-               << ": its width and peak pressure are those of the mesh, its force is not; use finer cells "
-                  "there or let the bodies adapt (Body <name>/Adapt)";
+               << ": its width and peak pressure are those of the mesh, and where motions are prescribed so "
+                  "is "
+                  "its force; use finer cells there or let the bodies adapt (Body <name>/Adapt)";
           return {{WarningCode::narrow_contact, text.str()}};
         }
       return {};
