@@ -37,7 +37,8 @@ namespace abut
                                                  WarningCode::idle_processes,
                                                  WarningCode::checkpoint_not_saved,
                                                  WarningCode::coarse_gap,
-                                                 WarningCode::soft_penalty};
+                                                 WarningCode::soft_penalty,
+                                                 WarningCode::between_materials};
     return all;
   }
 
@@ -111,6 +112,8 @@ namespace abut
       return "coarse-gap";
     case WarningCode::soft_penalty:
       return "soft-penalty";
+    case WarningCode::between_materials:
+      return "between-materials";
     }
     return "unknown";
   }

@@ -48,7 +48,8 @@ namespace abut
         if (is_asked(point, *result.body))
           if (const auto stress = result.body->stress_at(result.deformation, point.place))
             values.push_back({result.body, i + 1, point.place,
-                              result.body->displacement_at(result.displacement, point.place), *stress});
+                              result.body->displacement_at(result.displacement, point.place), *stress,
+                              result.body->stresses_at(result.deformation, point.place)});
     }
     return values;
   }

@@ -8,6 +8,7 @@
 
 #include "program.h"
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -159,4 +160,37 @@ TEST(OutputPoints, AreTheSameWhereverABodyStands)
     if (before.is_null())
       before = found;
   }
+}
+
+/// Layers that are stretched along their interface: the stress is uniform in each, E/(1 - nu^2) of the
+/// strain.
+TEST(OutputPoints, BetweenMaterialsTheStressesOfBothAreTold)
+{
+  const std::string layers =
+      "set Bodies = b\nsubsection Part p\n set Size = 2, 1\n set Cells = 4, 2\n set Young modulus = 100\n"
+      " set Poisson ratio = 0.2\nend\nsubsection Part q\n set Size = 2, 1\n set Shift = 0, 1\n"
+      " set Cells = 6, 3\n set Young modulus = 1000\n set Poisson ratio = 0.4\nend\n"
+      "subsection Body b\n set Shape = glued parts\n set Parts = p, q\n set Conditions = "
+      "p.left + q.left: displacement x: 0; p.right + q.right: displacement x: 0.02; "
+      "p.bottom: normal displacement: 0\nend\n";
+  const auto stretched = [](const double modulus, const double nu) {
+    return .01 * modulus / (1. - nu * nu) * std::sqrt(1. - nu + nu * nu);
+  };
+  const double soft = stretched(100., .2), stiff = stretched(1000., .4);
+  const Answer answer = run_text(layers, {"Output/Points=(1, 1); (1, 0.9); (1, 1.1)"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{"between-materials"}) << answer.err;
+  EXPECT_NEAR(answer.summary["points"][1]["von_mises"].get<double>(), soft, 1e-8);
+  EXPECT_NEAR(answer.summary["points"][2]["von_mises"].get<double>(), stiff, 1e-8);
+  std::ostringstream values;
+  values.precision(4);
+  values << soft << " where E = 100, nu = 0.2, " << stiff << " where E = 1000, nu = 0.4";
+  EXPECT_NE(answer.summary["warnings"][0]["message"].get<std::string>().find(values.str()), std::string::npos)
+      << answer.err;
+  const Answer alike =
+      run_text(layers, {"Output/Points=(1, 1)", "Part q/Young modulus=100", "Part q/Poisson ratio=0.2"});
+  EXPECT_EQ(warning_codes(alike), std::multiset<std::string>{}) << alike.err;
+  EXPECT_EQ(
+      warning_codes(run_text(layers, {"Goal=stress at (1, 1)", "Tolerance=0.1"})).count("between-materials"),
+      1u);
 }

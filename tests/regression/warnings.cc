@@ -249,11 +249,11 @@ namespace
   TEST(Warnings, EveryCodeHasItsNeighbours)
   {
     // hidden-pair: contact_shapes.cc; repeated-parameter: above; of files: mesh_files.cc; then
-    // unpaired_bodies.cc, coarse_mesh.cc, resume.cc, gap_within_cells.cc; tests/mpi.
+    // unpaired_bodies.cc, coarse_mesh.cc, resume.cc, gap_within_cells.cc, output_points.cc; tests/mpi.
     std::set<std::string> tested = {"hidden-pair",  "repeated-parameter", "cells-cut",
                                     "one-material", "unpaired-overlap",   "body-without-contact",
                                     "coarse-mesh",  "idle-processes",     "checkpoint-not-saved",
-                                    "coarse-gap"};
+                                    "coarse-gap",   "between-materials"};
     for (const Neighbours &neighbours : all_neighbours)
       tested.insert(neighbours.code);
     for (const abut::WarningCode code : abut::all_warning_codes())

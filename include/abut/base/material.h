@@ -72,4 +72,9 @@ namespace abut
       return ((1. + nu) * s.square() - nu * trace * trace) / young_modulus;
     }
   };
+
+  inline bool operator==(const Material &a, const Material &b)
+  {
+    return a.young_modulus == b.young_modulus && a.poisson_ratio == b.poisson_ratio;
+  }
 } // namespace abut

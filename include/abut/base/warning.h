@@ -42,7 +42,8 @@ namespace abut
     idle_processes,
     checkpoint_not_saved,
     coarse_gap,
-    soft_penalty
+    soft_penalty,
+    between_materials
   };
 
   /// All of them, in the order above.

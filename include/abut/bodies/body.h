@@ -173,9 +173,11 @@ namespace abut
     virtual Vector2 displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const = 0;
     /// The active cells that a point of the undeformed body (world frame) belongs to: none outside.
     virtual std::vector<unsigned int> cells_at(const Vector2 &point) const = 0;
-    /// Mean over the cells at a point; empty outside.
-    virtual std::optional<Stress> stress_at(const Eigen::VectorXd &deformation,
-                                            const Vector2 &point) const = 0;
+    /// Means over the cells of each material at a point, several where materials meet; none outside.
+    virtual std::vector<MaterialStress> stresses_at(const Eigen::VectorXd &deformation,
+                                                    const Vector2 &point) const = 0;
+    /// Mean over all cells at a point; empty outside.
+    std::optional<Stress> stress_at(const Eigen::VectorXd &deformation, const Vector2 &point) const;
     virtual OutputPatches output_patches(const OutputFields &fields) const = 0;
 
   protected:

@@ -21,6 +21,14 @@ namespace abut
     Material material;
   };
 
+  /// The mean over those cells at a point that are of one material.
+  struct MaterialStress
+  {
+    Material material;
+    Stress stress;
+    unsigned int n_cells = 0;
+  };
+
   /// Sets of points in the cells of a body. Cells are visited by their index, points of a cell in an order
   /// that is always the same.
   enum class SamplePoints

@@ -12,6 +12,7 @@ namespace abut
     std::size_t number = 0; ///< among the scene's points, from 1
     Vector2 place = Vector2::Zero();
     Vector2 displacement = Vector2::Zero();
-    Stress stress; ///< mean over the cells that meet there
+    Stress stress;                           ///< mean over the cells that meet there
+    std::vector<MaterialStress> by_material; ///< of each of them, where cells of several meet
   };
 } // namespace abut

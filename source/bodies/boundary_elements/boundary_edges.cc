@@ -169,7 +169,7 @@ namespace abut
     bool ends_interface(const SideConditions &conditions, const Vertex &vertex)
     {
       const Material &one = vertex.before.material, &other = vertex.after.material;
-      if (one.young_modulus == other.young_modulus && one.poisson_ratio == other.poisson_ratio)
+      if (one == other)
         return false;
       return std::abs(vertex.angle) > bend ||
              !is_symmetric(conditions, vertex.before, vertex.normal_before) ||

@@ -2,6 +2,7 @@
 //
 // The values of a body's fields at points of its cells.
 #include <abut/base/user_error.h>
+#include <abut/bodies/finite_elements/cell_materials.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 #include <abut/bodies/finite_elements/point_location.h>
 #include <abut/bodies/finite_elements/stress_field.h>
@@ -9,6 +10,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_simplex_p.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace abut
@@ -106,15 +108,13 @@ namespace abut
     return cells;
   }
 
-  std::optional<Stress> FiniteElementBody::stress_at(const Eigen::VectorXd &deformation,
-                                                     const Vector2 &point) const
+  std::vector<MaterialStress> FiniteElementBody::stresses_at(const Eigen::VectorXd &deformation,
+                                                             const Vector2 &point) const
   {
-    const std::vector<LocatedPoint> found = locate(*space_, point);
-    if (found.empty())
-      return {};
     const StressField field(*this, deformation);
-    Stress sum;
-    for (const auto &[cell, unit] : found)
+    const CellMaterials materials(description());
+    std::vector<MaterialStress> sums;
+    for (const auto &[cell, unit] : locate(*space_, point))
     {
       dealii::FEValues<2> values(space_->mapping(), space_->dof_handler().get_fe(),
                                  dealii::Quadrature<2>(unit),
@@ -122,9 +122,17 @@ namespace abut
       values.reinit(cell);
       std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
       cell->get_dof_indices(dofs);
-      sum = sum + field.at(cell, values, 0, dofs);
+      const Material &own = materials(cell);
+      auto sum = std::find_if(sums.begin(), sums.end(),
+                              [&](const MaterialStress &other) { return other.material == own; });
+      if (sum == sums.end())
+        sum = sums.insert(sum, {own, {}, 0});
+      sum->stress = sum->stress + field.at(cell, values, 0, dofs);
+      ++sum->n_cells;
     }
-    return sum * (1. / static_cast<double>(found.size()));
+    for (MaterialStress &sum : sums)
+      sum.stress = sum.stress * (1. / static_cast<double>(sum.n_cells));
+    return sums;
   }
 
   Vector2 FiniteElementBody::displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const

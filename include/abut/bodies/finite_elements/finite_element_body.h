@@ -90,7 +90,8 @@ namespace abut
     void visit_corner_stress(const Eigen::VectorXd &deformation, const StressVisitor &visitor) const override;
     Vector2 displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const override;
     std::vector<unsigned int> cells_at(const Vector2 &point) const override;
-    std::optional<Stress> stress_at(const Eigen::VectorXd &deformation, const Vector2 &point) const override;
+    std::vector<MaterialStress> stresses_at(const Eigen::VectorXd &deformation,
+                                            const Vector2 &point) const override;
     OutputPatches output_patches(const OutputFields &fields) const override;
 
     const Space &space() const { return *space_; }

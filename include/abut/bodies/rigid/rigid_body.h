@@ -75,7 +75,10 @@ namespace abut
     double lost_area() const override { return 0.; }
 
     std::vector<unsigned int> cells_at(const Vector2 &) const override { return {}; }
-    std::optional<Stress> stress_at(const Eigen::VectorXd &, const Vector2 &) const override { return {}; }
+    std::vector<MaterialStress> stresses_at(const Eigen::VectorXd &, const Vector2 &) const override
+    {
+      return {};
+    }
     void visit_corner_stress(const Eigen::VectorXd &, const StressVisitor &) const override {}
     Eigen::VectorXd trace_of(const Eigen::VectorXd &field) const override;
     Eigen::VectorXd extended_by_zero(const Eigen::VectorXd &trace) const override;
