@@ -82,10 +82,14 @@ namespace abut
                                           cell->active_cell_index() < neighbour->active_cell_index());
       }
 
-      /// The area of a quadrilateral, or of the parallelogram that a triangle is half of.
+      /// The area of a quadrilateral, or of the parallelogram that a triangle is half of. By differences of
+      /// vertices: cell->measure() is round-off, of either sign, in cells that are 1e-8 of their coordinates.
       static double size_of(const Cell &cell)
       {
-        return (cell->n_vertices() == 3 ? 2. : 1.) * cell->measure();
+        const bool triangle = cell->n_vertices() == 3;
+        const auto from = cell->vertex(triangle ? 1 : 3) - cell->vertex(0),
+                   to = cell->vertex(2) - cell->vertex(triangle ? 0 : 1);
+        return (triangle ? 1. : .5) * std::abs(from[0] * to[1] - from[1] * to[0]);
       }
 
       /// c times the extent of a cell away from a face of the given length.

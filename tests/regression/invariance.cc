@@ -142,4 +142,21 @@ namespace
       near(found["true_error"]["energy"], expected["true_error"]["energy"]);
     }
   }
+
+  /// Cells of 1e-8 of their coordinates, which are known to 1e-8 of a cell then.
+  TEST(InvarianceOfEstimates, ToThePlaceOfSmallCells)
+  {
+    const auto estimated = [](const std::string &shift, const std::string &cells) {
+      const Answer answer = abut::testing::run_text(
+          "set Bodies = b\nsubsection Body b\n set Size = 1e-7, 1e-7\n set Cells = 8, 8\n set Shift = " +
+          shift + "\n set Cell type = " + cells +
+          "\n set Young modulus = 1000\n set Poisson ratio = 0.3\n"
+          " set Conditions = left: displacement: 0, 0; right: traction: 0, -1\nend\n"
+          "subsection Adaptation\n set Estimator = kelly\nend\n");
+      EXPECT_EQ(answer.status, 0) << answer.err;
+      return answer.summary["error"]["discretisation"].get<double>();
+    };
+    for (const std::string cells : {"quadrilaterals", "triangles"})
+      EXPECT_NEAR(estimated("2, 1", cells) / estimated("0, 0", cells), 1., 1e-6) << cells;
+  }
 } // namespace
