@@ -194,7 +194,7 @@ namespace abut
     double small_load(const InterfaceProblem &problem, const InterfaceMotions &motions,
                       const LooseMotions &loose, const Index k)
     {
-      constexpr double round_off = 1e-9; // of the largest load
+      constexpr double round_off = 1e-8; // of the largest load; rigid outlines follow formulas to 1e-9
       const Eigen::VectorXd motion = loose.motions.col(k);
       const double load = motion.dot(motions.loads), largest = largest_load(motions, motion);
       if (std::abs(load) <= round_off * largest)

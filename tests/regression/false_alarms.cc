@@ -120,4 +120,59 @@ end
     EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{"singular-pressure"}) << answer.err;
     EXPECT_NEAR(contact(answer, "below")["normal_force"].get<double>(), 10., 1e-9);
   }
+
+  /// What is estimated of layers under a uniform pressure is round-off.
+  TEST(FalseAlarms, RoundOffIsNoRoughEstimate)
+  {
+    const Answer answer =
+        run_text("set Bodies = lo, hi\nset Contacts = c\nset Tolerance = 0.01\n"
+                 "subsection Body lo\n set Size = 2, 1\n set Young modulus = 1000\n"
+                 " set Conditions = bottom: normal displacement: 0; left: normal displacement: 0\n"
+                 "end\nsubsection Body hi\n set Size = 2, 1\n set Shift = 0, 1\n"
+                 " set Young modulus = 3000\n set Conditions = top: displacement y: -0.01; "
+                 "left: normal displacement: 0\nend\n"
+                 "subsection Contact c\n set Slave = lo:top\n set Master = hi:bottom\nend\n");
+    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{}) << answer.err;
+  }
+
+  /// Two sides that turn as the body does. With zeros at the nodes it stays at rest and the data are missed.
+  TEST(FalseAlarms, ABodyThatTurnsFollowsItsData)
+  {
+    const auto turned = [](const std::string &more) {
+      return warning_codes(
+          run_text("set Bodies = b\nsubsection Body b\n set Size = 2, 1\n set Cells = 8, 4\n"
+                   " set Young modulus = 1000\n set Conditions = left: displacement: -0.01*y, "
+                   "0.01*x; right: displacement: -0.01*y" +
+                   more + ", 0.01*x\nend\n"));
+    };
+    EXPECT_EQ(turned("").count("coarse-data"), 0u);
+    EXPECT_EQ(turned("+0.001*sin(4*pi*y)").count("coarse-data"), 1u);
+  }
+
+  /// The point holds a disc that two plates press from both sides: it carries what their meshes differ by.
+  TEST(FalseAlarms, APointThatHoldsWhatIsInBalance)
+  {
+    const Answer answer =
+        run_scene("disc-between-plates",
+                  {"Body lower/Conditions=bottom: displacement: 0, 0.02",
+                   "Body upper/Conditions=top: displacement: 0, -0.02", "Body upper/Cells=68, 17",
+                   "Body disc/Body force=0, 0", "Body disc/Conditions=(0,0): displacement: 0, 0"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(warning_codes(answer).count("point-support"), 0u) << answer.err;
+  }
+
+  /// Symmetric, but for the billionth that its outline follows the formula to.
+  TEST(FalseAlarms, ARollerThatRestsOnItsLowestPoint)
+  {
+    const Answer answer =
+        run_text("set Bodies = strip, roller\nset Contacts = nip\nsubsection Body strip\n set Size = 20, 2\n"
+                 " set Cells = 80, 8\n set Shift = -10.1, -2\n set Young modulus = 100\n"
+                 " set Conditions = bottom: displacement: 0, 0\nend\n"
+                 "subsection Body roller\n set Shape = rigid outline\n"
+                 " set Outline = (3, 2) -> (-3, 2) -> (-3, 0.9) -> tread: y = x^2/10 to (3, 0.9) -> close\n"
+                 " set Conditions = tread: resultant: 0, -5\nend\n"
+                 "subsection Contact nip\n set Slave = strip:top\n set Master = roller:tread\nend\n");
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{}) << answer.err;
+  }
 } // namespace

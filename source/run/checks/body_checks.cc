@@ -68,11 +68,17 @@ namespace abut
     /// More than what an estimate may be wrong by.
     constexpr double noticeable_oscillation = .1; // of the energy norm
 
+    /// In the energy norm, of a deformation as large as the body's displacement: a body that turns as a whole
+    /// has no other.
+    constexpr double round_off_of_motion = 1e-12;
+
     Warnings coarse_data_warnings(const BodyResult &result)
     {
       const double oscillation = result.body->data_oscillation().norm(),
                    norm = std::hypot(std::sqrt(2. * result.energy), oscillation);
-      if (!(oscillation > noticeable_oscillation * norm))
+      const double round_off = round_off_of_motion * std::sqrt(result.body->material().young_modulus) *
+                               result.displacement.cwiseAbs().maxCoeff();
+      if (!(oscillation > noticeable_oscillation * norm) || !(oscillation > round_off))
         return {};
       std::ostringstream text;
       text.precision(2);
@@ -104,9 +110,13 @@ namespace abut
     /// Of the modulus times the displacement: forces of a body that nothing loads.
     constexpr double force_round_off = 1e-10;
 
+    /// Of contacts the sum of the sizes: they may balance each other.
     double largest_force(const BodyResult &result)
     {
-      double largest = std::max(result.reactions.applied.norm(), result.reactions.contact.norm());
+      double of_contacts = 0.;
+      for (Eigen::Index i = 0; i + 1 < result.contact_forces.size(); i += 2)
+        of_contacts += result.contact_forces.segment<2>(i).norm();
+      double largest = std::max(result.reactions.applied.norm(), of_contacts);
       for (const auto &[side, force] : result.reactions.by_boundary)
         largest = std::max(largest, force.norm());
       return largest;

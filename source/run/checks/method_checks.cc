@@ -75,8 +75,9 @@ namespace abut
     {
       if (passes.empty() || !passes.back().budget.discretisation)
         return "";
+      constexpr double round_off = 1e-7; // the root of it
       const ErrorBudget &budget = passes.back().budget;
-      if (std::string(budget.dominant().name) != "contact")
+      if (std::string(budget.dominant().name) != "contact" || !(budget.dominant().error > round_off))
         return "";
       std::ostringstream text;
       text << "most of the estimated error is what the sides of the contact miss of its law ("
