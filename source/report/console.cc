@@ -184,6 +184,7 @@ namespace abut
     print_contacts(out, results);
     print_forces(out, results);
     print_points(out, results.points);
+    out << "\n  Plane strain; forces and energies are per thickness.\n";
     if (!results.pairs.empty())
       print_iteration(out, results);
     if (!results.converged())

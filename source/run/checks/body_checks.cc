@@ -58,7 +58,8 @@ namespace abut
           text << "Body " << result.body->name() << ": the largest von Mises stress, " << stress.value
                << ", stands at (" << vertex.x() << ", " << vertex.y()
                << "), where the exact stress is infinite (a reentrant corner, a support that begins or ends, "
-                  "a shear load that jumps): it grows with every refinement; look at the stress elsewhere, "
+                  "a shear load that jumps, an interface of materials that ends): it grows with every "
+                  "refinement; look at the stress elsewhere, "
                   "or round the corner";
           return {{WarningCode::singular_stress, text.str()}};
         }

@@ -33,6 +33,14 @@ namespace abut
                 : KellyIndicator().estimate({*body.body, body.deformation, body.contact_forces}));
       return estimation.discretisation();
     }
+
+    bool some_are_linear(const std::vector<BodyResult> &bodies)
+    {
+      return std::any_of(bodies.begin(), bodies.end(), [](const BodyResult &result) {
+        const BodyDescription &body = result.body->description();
+        return !body.is_rigid && body.degree == 1;
+      });
+    }
   } // namespace
 
   Warnings coarse_mesh_warnings(const Results &results)
@@ -55,8 +63,9 @@ namespace abut
          << " % of the deformation (energy norm) is its error, energies and the displacements under given "
             "loads "
             "are some "
-         << 100. * error * error
-         << " % off, stresses more; use Discretisation/Degree = 2, finer cells, or set Tolerance";
+         << 100. * error * error << " % off, stresses more; use "
+         << (some_are_linear(results.bodies) ? "Discretisation/Degree = 2, finer cells," : "finer cells")
+         << " or set Tolerance";
     return {{WarningCode::coarse_mesh, text.str()}};
   }
 } // namespace abut

@@ -36,8 +36,8 @@ namespace abut
       text.precision(3);
       text << "Body " << body.name() << ": the stress at (" << place.x() << ", " << place.y() << "), " << what
            << ", is infinite in the exact solution (a reentrant corner, a support that begins or ends, a "
-              "shear "
-              "load that jumps): its value is one of the mesh; name a point farther away";
+              "shear load that jumps, an interface of materials that ends): its value is one of the mesh; "
+              "name a point farther away";
       return {WarningCode::singular_stress, text.str()};
     }
 
