@@ -4,6 +4,7 @@
 
 #include <abut/bodies/finite_elements/assembly.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
+#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/bodies/finite_elements/shared_rows.h>
 #include <abut/scene/condition.h>
 
@@ -66,7 +67,8 @@ namespace
   {
     const auto body = refined(plate("left: displacement: 0, 0; bottom: normal displacement: 0"));
     const auto &t = body->supports().free_directions;
-    const SharedRows shares(body->space(), t, 3);
+    const Nodes nodes = free_nodes(body->space());
+    const SharedRows shares(body->space(), nodes, t, 3);
     const std::set<int> rows(shares.rows().begin(), shares.rows().end());
     EXPECT_EQ(rows.size(), static_cast<std::size_t>(t.cols()));
     EXPECT_EQ(*rows.begin(), 0);
@@ -90,7 +92,8 @@ namespace
   {
     const auto body = refined(plate("left: displacement: 0, 0"));
     const CellMaterials materials(body->description());
-    const SharedRows shares(body->space(), body->supports().free_directions, 3);
+    const Nodes nodes = free_nodes(body->space());
+    const SharedRows shares(body->space(), nodes, body->supports().free_directions, 3);
     const auto whole = assemble_stiffness(body->space(), materials, false);
     for (const unsigned int process : {0u, 1u, 2u})
     {
@@ -109,7 +112,8 @@ namespace
     {
       const auto body = refined(plate("", degree));
       const auto &t = body->supports().free_directions;
-      const SharedRows shares(body->space(), t, 2);
+      const Nodes nodes = free_nodes(body->space());
+      const SharedRows shares(body->space(), nodes, t, 2);
       Eigen::MatrixXd motions(shares.begins().back(), 3);
       for (const unsigned int process : {0u, 1u})
         motions.middleRows(shares.begins()[process],

@@ -22,6 +22,7 @@ namespace abut
                                  CellMaterials(description()),
                                  description().largest_poisson_ratio(),
                                  projects_divergence(),
+                                 free_nodes_,
                                  floating_,
                                  supports_.free_directions,
                                  trace_to_free_};

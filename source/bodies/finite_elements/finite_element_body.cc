@@ -119,9 +119,10 @@ namespace abut
 
   void FiniteElementBody::set_up_supports()
   {
+    free_nodes_ = free_nodes(*space_);
+    const Nodes &nodes = free_nodes_;
     const std::vector<PrescribedComponent> components =
-        prescribed_components(description(), sides_, [&]() { return free_nodes(*space_); });
-    const Nodes nodes = free_nodes(*space_);
+        prescribed_components(description(), sides_, [&]() { return nodes; });
     const Vector2 centre = centre_of(nodes);
     const auto free_modes = free_rigid_modes(components, centre, extent_of(nodes, centre));
     free_rigid_motions_.clear();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/plane_geometry.h>
-#include <abut/bodies/finite_elements/nodes.h>
 #include <abut/bodies/finite_elements/shared_rows.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -45,9 +44,9 @@ namespace abut
     return processes;
   }
 
-  SharedRows::SharedRows(const Space &space, const Eigen::SparseMatrix<double> &free_directions,
-                         const unsigned int n_processes)
-      : space_(space), free_directions_(free_directions)
+  SharedRows::SharedRows(const Space &space, const Nodes &nodes,
+                         const Eigen::SparseMatrix<double> &free_directions, const unsigned int n_processes)
+      : space_(space), nodes_(nodes), free_directions_(free_directions)
   {
     distribute_dofs(n_processes);
     number_rows(n_processes);
@@ -71,16 +70,15 @@ namespace abut
 
   void SharedRows::number_rows(const unsigned int n_processes)
   {
-    const Nodes nodes = free_nodes(space_);
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> node_of_dof(process_of_dof_.size(), none);
-    for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
-      for (const unsigned int dof : nodes.dofs[i])
+    for (std::size_t i = 0; i < nodes_.dofs.size(); ++i)
+      for (const unsigned int dof : nodes_.dofs[i])
         node_of_dof[dof] = i;
 
     // Of each column the node that it moves, not those that follow.
     std::vector<std::size_t> node_of_column;
-    std::vector<bool> moves(nodes.dofs.size(), false);
+    std::vector<bool> moves(nodes_.dofs.size(), false);
     for (int j = 0; j < free_directions_.cols(); ++j)
     {
       Eigen::SparseMatrix<double>::InnerIterator entry(free_directions_, j);
@@ -90,13 +88,13 @@ namespace abut
       moves[node_of_column.back()] = true;
     }
 
-    std::vector<int> next_row(nodes.dofs.size());
+    std::vector<int> next_row(nodes_.dofs.size());
     int row = 0;
     for (unsigned int process = 0; process < n_processes; ++process)
     {
       begins_.push_back(row);
       for (std::size_t i = 0; i < moves.size(); ++i)
-        if (moves[i] && process_of_dof_[nodes.dofs[i][0]] == process)
+        if (moves[i] && process_of_dof_[nodes_.dofs[i][0]] == process)
         {
           next_row[i] = row;
           row += 2;
@@ -129,14 +127,13 @@ namespace abut
 
   Eigen::MatrixXd SharedRows::rigid_motions(const unsigned int process) const
   {
-    const Nodes nodes = free_nodes(space_);
-    const Box box = box_around(nodes.places);
+    const Box box = box_around(nodes_.places);
     Eigen::MatrixXd at_dofs = Eigen::MatrixXd::Zero(space_.n_dofs(), 3); // zero where others determine
-    for (std::size_t i = 0; i < nodes.dofs.size(); ++i)
+    for (std::size_t i = 0; i < nodes_.dofs.size(); ++i)
     {
-      const Vector2 arm = (nodes.places[i] - box.middle()) / box.diagonal();
-      at_dofs.row(nodes.dofs[i][0]) << 1., 0., -arm.y();
-      at_dofs.row(nodes.dofs[i][1]) << 0., 1., arm.x();
+      const Vector2 arm = (nodes_.places[i] - box.middle()) / box.diagonal();
+      at_dofs.row(nodes_.dofs[i][0]) << 1., 0., -arm.y();
+      at_dofs.row(nodes_.dofs[i][1]) << 0., 1., arm.x();
     }
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(begins_[process + 1] - begins_[process], 3);
     for (int j = 0; j < free_directions_.cols(); ++j)

@@ -20,7 +20,7 @@ namespace abut
     public:
       SharedStiffness(const StiffnessInput &input, std::shared_ptr<Processes> processes)
           : input_(input), processes_(std::move(processes)),
-            shares_(input.space, input.free_directions, processes_->size())
+            shares_(input.space, input.nodes, input.free_directions, processes_->size())
       {
         matrix_ = assemble_stiffness(input.space, input.materials, input.projects_divergence,
                                      shares_.cells_for(processes_->rank()));

@@ -129,6 +129,7 @@ namespace abut
     std::vector<std::string> contact_side_names_;
     std::vector<Trace> contact_sides_;
     std::optional<Resultant> resultant_;
+    Nodes free_nodes_;  // to move
     Supports supports_; // what is prescribed less the rigid motions
     RigidMotions rigid_motions_;
     Eigen::VectorXd side_motion_; // a unit displacement of the rigid side, zero elsewhere

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/bodies/finite_elements/space.h>
+#include <abut/bodies/prescribed.h>
 
 #include <Eigen/SparseCore>
 
@@ -21,8 +22,8 @@ namespace abut
   class SharedRows
   {
   public:
-    /// `free_directions`: T of the supports.
-    SharedRows(const Space &space, const Eigen::SparseMatrix<double> &free_directions,
+    /// `nodes`: those that are free to move (free_nodes). `free_directions`: T of the supports.
+    SharedRows(const Space &space, const Nodes &nodes, const Eigen::SparseMatrix<double> &free_directions,
                unsigned int n_processes);
 
     /// First row of every process; last the number of rows.
@@ -46,6 +47,7 @@ namespace abut
     void number_rows(unsigned int n_processes);
 
     const Space &space_;
+    const Nodes &nodes_;
     const Eigen::SparseMatrix<double> &free_directions_;
     std::vector<unsigned int> process_of_dof_;
     std::vector<std::vector<int>> dofs_;

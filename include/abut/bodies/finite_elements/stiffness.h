@@ -20,6 +20,7 @@ namespace abut
     CellMaterials materials;
     double poisson_ratio;     ///< the largest one
     bool projects_divergence; ///< see assemble_stiffness
+    const Nodes &nodes;       ///< that are free to move
     const FloatingModes &floating;
     const Eigen::SparseMatrix<double> &free_directions; ///< T of the supports
     const Eigen::SparseMatrix<double> &trace_to_free;   ///< B: contact sides
