@@ -59,10 +59,11 @@ namespace abut
     void include_mismatch(const ContactMismatch &mismatch, const std::vector<BodyResult> &bodies,
                           std::vector<CellErrors> &errors)
     {
+      constexpr double round_off = 1e-12; // of squares
       double seen = 0., unseen = 0.;
       for (std::size_t a = 0; a < bodies.size(); ++a)
       {
-        seen += errors[a].energy.squaredNorm();
+        seen += errors[a].energy.squaredNorm() + round_off * errors[a].energy_norm * errors[a].energy_norm;
         unseen += mismatch.cells[a].sum();
       }
       for (std::size_t a = 0; a < bodies.size() && unseen > seen; ++a)
@@ -225,6 +226,7 @@ namespace abut
         all[a].energy = errors.energy;
         all[a].areas = errors.areas;
         all[a].stress_norm = errors.stress_norm;
+        all[a].energy_norm = errors.energy_norm;
       }
       if (estimation.mismatch)
         include_mismatch(*estimation.mismatch, bodies, all);
