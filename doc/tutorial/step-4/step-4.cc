@@ -10,6 +10,7 @@
 #include <abut/decomposition/interface_solver.h>
 #include <abut/report/plot.h>
 #include <abut/results/results.h>
+#include <abut/run/contact_mismatch.h>
 #include <abut/run/estimate.h>
 #include <abut/run/evaluate.h>
 #include <abut/run/model.h>
