@@ -82,7 +82,7 @@ namespace abut
       entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
         return std::make_unique<ZZIndicator>();
       };
-      entry.worth = {{.7, 1.1}, {.3, .8}, {.3, .9}};
+      entry.worth = {{.7, 1.1}, {.3, .9}, {.3, 1.2}};
       return entry;
     }
 

@@ -59,15 +59,24 @@ namespace abut
       return stays(last.budget.linear_algebra, last.budget.discretisation) ? "linear_algebra" : "";
     }
 
-    /// Whether a goal's changes have not fallen to half over four meshes.
-    bool wanders(const std::vector<PassRecord> &passes)
+    /// Whether a goal's changes have not fallen to half over so many meshes.
+    bool stands_still(const std::vector<PassRecord> &passes, const std::size_t span)
     {
-      constexpr std::size_t n_least = 8, span = 4;
-      if (!passes.back().goal || passes.size() < n_least)
-        return false;
       const auto now = passes.back().goal->discretisation,
                  before = passes[passes.size() - 1 - span].goal->discretisation;
       return now && before && *now > .5 * *before;
+    }
+
+    /// Whether a goal does not settle: over four meshes or, where it is still another number on every mesh,
+    /// over two.
+    bool wanders(const std::vector<PassRecord> &passes)
+    {
+      constexpr double other_number = .5; // relative
+      constexpr std::size_t n_least = 8, n_least_for_others = 5;
+      if (!passes.back().goal || passes.size() < n_least_for_others)
+        return false;
+      return (passes.size() >= n_least && stands_still(passes, 4)) ||
+             (passes.back().goal->discretisation > other_number && stands_still(passes, 2));
     }
 
     /// What a user can do where finer meshes make another goal of it.

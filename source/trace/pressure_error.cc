@@ -13,7 +13,7 @@ namespace abut
   {
     constexpr std::size_t reach = 2;       // places on either side
     constexpr std::size_t most_at_end = 4; // parts
-    constexpr double known_share = .06;    // of a part, by which an end of contact is known
+    constexpr double known_share = .07;    // of a part, by which an end of contact is known
     constexpr double unknown_share = .5;   // with so few parts that it is not
     constexpr double of_roughness = .5;    // what belongs to the place itself, squared
     constexpr double steep = 2.; // a pressure that rises so much to the end of a stretch is singular

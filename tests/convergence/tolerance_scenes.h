@@ -61,5 +61,5 @@ inline std::vector<ToleranceScene> tolerance_scenes()
        false,
        false,
        false,
-       {{2, {.8, 1.7}}, {3, {.8, 3.1}}}}};
+       {{2, {.8, 1.7}}, {3, {.8, 3.7}}}}};
 }

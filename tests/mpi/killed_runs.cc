@@ -125,7 +125,7 @@ namespace
       "Adaptation/Maximum passes=6", "Output/Points=(0.5, 0.5)"};
 
   const std::vector<KilledScene> killed_scenes = {
-      {"tolerance", "prm/two-layers-tolerance.prm", {"Tolerance=0.0005"}},
+      {"tolerance", "prm/two-layers-tolerance.prm", {"Tolerance=0.0001"}},
       {"hanging_nodes_by_fe_be", "prm/two-layers-rollers.prm", adaptive_to_be_killed},
       {"penalised", "prm/two-layers-rollers.prm",
        with(adaptive_to_be_killed, {"Contact interface/Penalty coefficient=0.05"})},

@@ -47,7 +47,7 @@ TEST(Program, WritesTheFilesOfTheContract)
             "wall_time_s,true_error_pressure,true_error_force,"
             "error_stress,change,step_discretisation,step_bound,step_true_error,"
             "step_discretisation_ratio,step_bound_ratio,error_contact,error_linear_algebra,"
-            "error_geometry,error_bound,error_estimate");
+            "error_geometry,error_bound,error_estimate,error_pressure");
 }
 
 TEST(Program, ParametersCanBeRunAgain)

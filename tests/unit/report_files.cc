@@ -134,9 +134,9 @@ namespace
               "effectivity_total,normal_force,max_pressure,wall_time_s,true_error_pressure,true_error_force,"
               "error_stress,change,step_discretisation,step_bound,step_true_error,"
               "step_discretisation_ratio,step_bound_ratio,error_contact,error_linear_algebra,"
-              "error_geometry,error_bound,error_estimate");
-    EXPECT_EQ(lines[1], "0,1,100,20,8,,0.5,,,,,,,,,3,2,0.25,,,,,,,,,,,,,,");
-    EXPECT_EQ(lines[2], "0,2,100,20,8,,0.5,,,0.125,,,,,,3,2,0.75,,,,,,,,,,,,,,");
+              "error_geometry,error_bound,error_estimate,error_pressure");
+    EXPECT_EQ(lines[1], "0,1,100,20,8,,0.5,,,,,,,,,3,2,0.25,,,,,,,,,,,,,,,");
+    EXPECT_EQ(lines[2], "0,2,100,20,8,,0.5,,,0.125,,,,,,3,2,0.75,,,,,,,,,,,,,,,");
   }
 
   TEST(ReportHistory, WhatAPassHasFoundStandsInItsLastRow)
@@ -160,16 +160,17 @@ namespace
       record.quality->whole = {4., 1., 0.};
       record.effectivity_total = 3.;
       record.stress = 7.;
+      record.pressure = .015625;
       record.change = 9.;
       history.end_pass(record);
     }
     const auto lines = lines_of(history.csv());
     ASSERT_EQ(lines.size(), 5u);
-    EXPECT_EQ(lines[1], "0,1,100,20,8,,0,,,,,,,,,0,0,1,,,,,,,,,,,,,,");
-    EXPECT_EQ(lines[2], "0,2,100,20,8,0.5,0,0.25,,,0.375,0.125,0.0625,2,3,0,0,1,0.03125,0.75,7,9,,,,,,,,,,");
-    EXPECT_EQ(
-        lines[4],
-        "1,2,100,20,8,0.25,0,0.25,,,0.375,0.125,0.0625,2,3,0,0,1,0.03125,0.75,7,9,0.5,0.75,0.25,2,3,,,,,");
+    EXPECT_EQ(lines[1], "0,1,100,20,8,,0,,,,,,,,,0,0,1,,,,,,,,,,,,,,,");
+    EXPECT_EQ(lines[2],
+              "0,2,100,20,8,0.5,0,0.25,,,0.375,0.125,0.0625,2,3,0,0,1,0.03125,0.75,7,9,,,,,,,,,,0.015625");
+    EXPECT_EQ(lines[4], "1,2,100,20,8,0.25,0,0.25,,,0.375,0.125,0.0625,2,3,0,0,1,0.03125,0.75,7,9,0.5,0.75,0."
+                        "25,2,3,,,,,,0.015625");
   }
 
   TEST_F(ReportedScene, ContactRowsFollowTheParts)

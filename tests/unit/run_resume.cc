@@ -173,7 +173,7 @@ namespace
                                            "Adaptation/Estimator=zz", "Adaptation/Maximum passes=3"};
 
   const std::vector<ResumedScene> scenes = {
-      {"tolerance", "two-layers-tolerance.prm", {"Tolerance=0.003"}, 4},
+      {"tolerance", "two-layers-tolerance.prm", {"Tolerance=0.003"}, 3},
       {"goal", "two-layers-tolerance.prm", {"Tolerance=0.01", "Goal=force"}, 3},
       {"hanging_nodes_by_fe_be", "two-layers-rollers.prm", joined(adaptive, {"Adaptation/Estimator=fe-be"}),
        4},

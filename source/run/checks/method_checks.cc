@@ -82,7 +82,7 @@ namespace abut
       std::ostringstream text;
       text << "most of the estimated error is what the sides of the contact miss of its law ("
            << 100. * budget.dominant().error
-           << " %), which is taken on the safe side: the estimate has been up to 3.1 times the true error";
+           << " %), which is taken on the safe side: the estimate has been up to 3.7 times the true error";
       return text.str();
     }
   } // namespace
