@@ -83,13 +83,47 @@ namespace abut
       return announced.failure != none;
     }
 
-    /// Gives everybody the bytes of one process; their number is known. MPI counts in int.
-    void broadcast(Bytes &bytes, const int from, const MPI_Comm communicator)
+    /// Everybody's bytes, by rank: one message of all for a gigabyte, as MPI counts in int.
+    std::vector<Bytes> gather(const Bytes &own, const std::vector<Announcement> &all,
+                              const MPI_Comm communicator)
     {
-      constexpr std::size_t at_once = std::size_t(1) << 30;
-      for (std::size_t begin = 0; begin < bytes.size(); begin += at_once)
-        MPI_Bcast(bytes.data() + begin, static_cast<int>(std::min(at_once, bytes.size() - begin)), MPI_BYTE,
-                  from, communicator);
+      const std::size_t at_once = (std::size_t(1) << 30) / all.size();
+      const auto left = [&](const std::size_t size, const std::size_t begin) {
+        return std::min(at_once, size - std::min(begin, size));
+      };
+      std::size_t longest = 0;
+      for (const Announcement &announced : all)
+        longest = std::max<std::size_t>(longest, announced.size);
+
+      std::vector<Bytes> bytes(all.size());
+      std::vector<int> counts(all.size()), begins(all.size());
+      Bytes message;
+      for (std::size_t begin = 0; begin < longest; begin += at_once)
+      {
+        int total = 0;
+        for (std::size_t rank = 0; rank < all.size(); ++rank)
+        {
+          counts[rank] = static_cast<int>(left(all[rank].size, begin));
+          begins[rank] = total;
+          total += counts[rank];
+        }
+        message.resize(static_cast<std::size_t>(total));
+        MPI_Allgatherv(own.data() + std::min(begin, own.size()), static_cast<int>(left(own.size(), begin)),
+                       MPI_BYTE, message.data(), counts.data(), begins.data(), MPI_BYTE, communicator);
+        for (std::size_t rank = 0; rank < all.size(); ++rank)
+          bytes[rank].insert(bytes[rank].end(), message.begin() + begins[rank],
+                             message.begin() + begins[rank] + counts[rank]);
+      }
+      return bytes;
+    }
+
+    /// The words of the process that has failed, in all of them; `own` are its own there.
+    std::string words_of(const std::size_t failed, const Announcement &announced, std::string own,
+                         const MPI_Comm communicator)
+    {
+      own.resize(announced.size);
+      MPI_Bcast(own.data(), static_cast<int>(own.size()), MPI_CHAR, static_cast<int>(failed), communicator);
+      return own;
     }
 
     /// MPI's, of all processes.
@@ -138,31 +172,22 @@ namespace abut
     return std::shared_ptr<Processes>(new Processes(std::make_unique<Communicator>(handle)));
   }
 
-  std::vector<Bytes> Processes::exchange(Bytes own, const std::exception_ptr &failure,
+  std::vector<Bytes> Processes::exchange(const Bytes &own, const std::exception_ptr &failure,
                                          const std::uint64_t meeting)
   {
     if (ended_by_)
       std::rethrow_exception(ended_by_);
     std::string text;
     const Failure kind = kind_of(failure, text);
-    if (kind != none)
-      own.assign(text.begin(), text.end());
-    const Announcement announced{meeting, own.size(), kind};
+    const Announcement announced{meeting, kind == none ? own.size() : text.size(), kind};
     std::vector<Announcement> all(size_);
     MPI_Allgather(&announced, n_words, MPI_UINT64_T, all.data(), n_words, MPI_UINT64_T,
                   communicator_->handle());
-    const auto bytes_of = [&](const std::size_t rank) {
-      Bytes bytes = rank == rank_ ? std::move(own) : Bytes(all[rank].size);
-      broadcast(bytes, static_cast<int>(rank), communicator_->handle());
-      return bytes;
-    };
 
     std::exception_ptr error;
     if (const auto failed = std::find_if(all.begin(), all.end(), is_failure); failed != all.end())
-    {
-      const Bytes words = bytes_of(static_cast<std::size_t>(failed - all.begin()));
-      error = error_of(failed->failure, {words.begin(), words.end()});
-    }
+      error = error_of(failed->failure, words_of(static_cast<std::size_t>(failed - all.begin()), *failed,
+                                                 text, communicator_->handle()));
     else if (std::any_of(all.begin(), all.end(),
                          [&](const Announcement &other) { return other.meeting != meeting; }))
       error = std::make_exception_ptr(ComputationError(
@@ -176,10 +201,7 @@ namespace abut
       std::rethrow_exception(error);
     }
 
-    std::vector<Bytes> bytes;
-    for (std::size_t rank = 0; rank < size_; ++rank)
-      bytes.push_back(bytes_of(rank));
-    return bytes;
+    return gather(own, all, communicator_->handle());
   }
 
   void Processes::together(const std::uint64_t meeting, const std::function<void()> &f)

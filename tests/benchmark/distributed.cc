@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A layer whose stiffness is shared by all processes, also where this is a single one: seconds to assemble,
-// to set up multigrid and to solve, iterations, memory.
+// to set up multigrid and to solve, iterations, memory. A library that counts messages is told where each
+// begins.
 
 #include <abut/base/stopwatch.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
@@ -8,12 +9,21 @@
 
 #include <algorithm>
 #include <iostream>
+#include <mpi.h>
 #include <string>
 #include <sys/resource.h>
 
 namespace
 {
   using namespace abut;
+
+  /// What a message belongs to; 0: to the start.
+  enum Level
+  {
+    setting_up = 1,
+    solving = 2,
+    measuring = 3
+  };
 
   BodyDescription layer(const unsigned int cells)
   {
@@ -45,12 +55,15 @@ namespace
   {
     FiniteElementBody body(layer(cells), {"top"});
     body.share(processes);
+    MPI_Pcontrol(setting_up);
     const PreparationTimes times = body.prepare();
     double solve = 0.;
     {
+      MPI_Pcontrol(solving);
       const Stopwatch watch(solve);
       body.respond(Eigen::VectorXd::Ones(body.trace_size()));
     }
+    MPI_Pcontrol(measuring);
     const double memory = peak_memory(*processes);
     if (processes->rank() == 0)
       std::cout << processes->size() << ' ' << body.counts().dofs << ' ' << times.assemble << ' '

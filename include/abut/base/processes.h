@@ -9,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace abut
@@ -47,7 +46,7 @@ namespace abut
      * bytes are, not 0; all processes must say the same. Throws the failure of the lowest rank that has one,
      * as a UserError, ComputationError, std::bad_alloc or std::runtime_error, in all processes.
      */
-    std::vector<Bytes> exchange(Bytes own, const std::exception_ptr &failure, std::uint64_t meeting);
+    std::vector<Bytes> exchange(const Bytes &own, const std::exception_ptr &failure, std::uint64_t meeting);
 
     /// Everybody's value of what f returns, by rank: f is this process's own work. See `exchange`.
     template <typename Function> auto collect(const std::uint64_t meeting, const Function &f)
@@ -66,7 +65,7 @@ namespace abut
         failure = std::current_exception();
       }
       std::vector<T> values;
-      for (Bytes &bytes : exchange(std::move(packed), failure, meeting))
+      for (Bytes &bytes : exchange(packed, failure, meeting))
         Archive(bytes, Archive::Direction::unpack)(values.emplace_back());
       return values;
     }
