@@ -94,14 +94,16 @@ namespace abut
     }
   } // namespace
 
-  std::string picture(const Results &results, const DrawnScene &scene)
+  bool fits_a_picture(const Results &results)
   {
     std::size_t n_cells = 0;
     for (const BodyResult &body : results.bodies)
       n_cells += body.body->counts().cells;
-    if (n_cells > most_cells)
-      return "";
+    return n_cells <= most_cells;
+  }
 
+  std::string picture(const Results &results, const DrawnScene &scene)
+  {
     const std::vector<Comb> combs = combs_of(scene);
     const Box box = box_around(scene, combs);
 

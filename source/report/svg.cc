@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/report/svg.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 namespace abut
 {
   namespace
   {
-    double hundredths(const double value)
+    /// To a hundredth, in as few digits as that takes.
+    std::string hundredths(const double value)
     {
-      return std::round(100. * value) / 100.;
+      std::array<char, std::numeric_limits<double>::max_exponent10 + 8> digits;
+      const std::to_chars_result end =
+          std::to_chars(digits.data(), digits.data() + digits.size(), std::round(100. * value) / 100.,
+                        std::chars_format::fixed);
+      return std::string(digits.data(), end.ptr);
     }
   } // namespace
 
@@ -50,15 +58,16 @@ namespace abut
   void write_path(std::ostream &out, const Polyline &points, const PageFrame &frame, const bool closed,
                   const std::string &attributes)
   {
-    out << "<path " << attributes << " d=\"";
-    char command = 'M';
+    std::string data;
     for (const Vector2 &point : points)
     {
       const Vector2 place = frame(point);
-      out << command << hundredths(place.x()) << ' ' << hundredths(place.y());
-      command = 'L';
+      data += data.empty() ? 'M' : 'L';
+      data += hundredths(place.x());
+      data += ' ';
+      data += hundredths(place.y());
     }
-    out << (closed ? "Z" : "") << "\"/>\n";
+    out << "<path " << attributes << " d=\"" << data << (closed ? "Z" : "") << "\"/>\n";
   }
 
   void write_text(std::ostream &out, const Vector2 &place, const Anchor anchor, const std::string &text)

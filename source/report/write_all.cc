@@ -30,17 +30,6 @@ namespace abut
         return file;
       });
     }
-
-    /// Returns whether there is a picture.
-    bool write_picture(const Results &results, const PassDrawings &drawings,
-                       const std::filesystem::path &directory)
-    {
-      const DrawnScene *const scene = drawings.last(results);
-      const std::string drawing = scene != nullptr ? picture(results, *scene) : "";
-      if (!drawing.empty())
-        write_file(directory / "solution.svg", drawing);
-      return !drawing.empty();
-    }
   } // namespace
 
   void remove_old_results(const std::string &directory)
@@ -64,8 +53,9 @@ namespace abut
         write_file(folder / ("contact_" + pair.pair->name() + ".csv"), contact_csv(pair));
       if (!results.points.empty())
         write_file(folder / "points.csv", points_csv(results.points));
-      if (!write_picture(results, drawings, folder))
+      if (!fits_a_picture(results))
         return {"solution.svg: too many cells for a picture"};
+      write_file(folder / "solution.svg", picture(results, *drawings.last(results)));
       return {};
     }
   } // namespace
@@ -85,7 +75,8 @@ namespace abut
         return written;
       write_file(folder / "solution.pvd", pvd(fields));
       write_file(folder / "solution.pvtu", pvtu(fields));
-      drawings.add_last(results);
+      if (results.scene->writes_report || fits_a_picture(results))
+        drawings.add_last(results);
       written.left_out = write_numbers_and_picture(results, history, drawings, folder);
       if (results.scene->writes_report)
         write_file(folder / "report.html",

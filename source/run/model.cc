@@ -26,9 +26,11 @@ namespace abut
   Model::Model(const Scene &scene, const ExactSolution *const exact, Executor executor)
       : scene_(scene), executor_(std::move(executor)), is_prepared_(scene.bodies.size(), false)
   {
-    for (std::size_t a = 0; a < scene.bodies.size(); ++a)
-      bodies_.push_back(
-          make_body(with_exact_conditions(scene, a, exact), contact_sides(scene, scene.bodies[a].name)));
+    bodies_.resize(scene.bodies.size());
+    for_each(bodies_.size(), [&](const std::size_t a) {
+      bodies_[a] =
+          make_body(with_exact_conditions(scene, a, exact), contact_sides(scene, scene.bodies[a].name));
+    });
     std::vector<PairInput> inputs;
     for (std::size_t i = 0; i < scene.contacts.size(); ++i)
       inputs.push_back(pair_input(i));

@@ -7,10 +7,10 @@
 
 namespace abut
 {
-  /**
-   * The content of solution.svg: the bodies as `scene` (see `deformed_scene`) has them, with their cells
-   * filled by the mean von Mises stress, and the contact pressure in red along the slave sides. Empty above
-   * 40 000 cells, which no viewer likes.
-   */
+  /// Whether the scene has at most 40 000 cells: more no viewer likes.
+  bool fits_a_picture(const Results &results);
+
+  /// The content of solution.svg: the bodies as `scene` (see `deformed_scene`) has them, with their cells
+  /// filled by the mean von Mises stress, and the contact pressure in red along the slave sides.
   std::string picture(const Results &results, const DrawnScene &scene);
 } // namespace abut
