@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/goal_marks.h>
+#include <abut/adaptation/kept_by_splitting.h>
 #include <abut/adaptation/marking.h>
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace abut
   {
     /// The share of the squared error that the cells of one step carry at most.
     constexpr double most_in_a_step = .9;
-    constexpr double least_kept = .125; // cells at a singular point gain less than smooth ones
 
     struct GoalCell
     {
@@ -27,7 +27,9 @@ namespace abut
         if (bodies[a].adapts)
           for (Eigen::Index i = 0; i < bodies[a].squares.size(); ++i)
           {
-            const double kept = std::max(least_kept, std::pow(4., -double(bodies[a].degree)));
+            // What is smooth is not known here.
+            const double kept =
+                std::max(kept_by_splitting::contact_end, kept_by_splitting::smooth(bodies[a].degree));
             cells.push_back(
                 {a, static_cast<std::size_t>(i), bodies[a].squares[i], (1. - kept) * bodies[a].squares[i]});
           }

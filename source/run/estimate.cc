@@ -172,12 +172,6 @@ namespace abut
             estimation.why_uncertified = indicator.why_uncertified(*body.body);
       return estimation;
     }
-
-    bool pressures_allow_to_end(const Scene &scene, const Solution &solution)
-    {
-      return !scene.goal.is_energy() ||
-             relative_pressure_error(solution.pairs).value_or(0.) <= scene.tolerance;
-    }
   } // namespace
 
   Estimation estimate_solution(const Setup &setup, Solution &solution, GoalDistance &distance)
@@ -185,7 +179,7 @@ namespace abut
     Assert(setup.indicator != nullptr, dealii::ExcMessage("nothing is to be estimated"));
     Estimation estimation = estimate_by(*setup.indicator, setup, solution);
     if (setup.certifier == nullptr || !distance.is_near(estimation) ||
-        !pressures_allow_to_end(setup.scene, solution))
+        !pressures_meet_tolerance(setup.scene, relative_pressure_error(solution.pairs)))
       return estimation;
     Estimation better = estimate_by(*setup.certifier, setup, solution);
     distance.learn(estimation, better);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/kept_by_splitting.h>
 #include <abut/run/contact_places.h>
 #include <abut/run/gradings.h>
+#include <abut/trace/contact_runs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +11,6 @@ namespace abut
 {
   namespace
   {
-    constexpr double kept_at_contact_end = .125, kept_at_vertex = .5; // of the squared error
     constexpr unsigned int most_further = 8;
 
     /// A place where the stress is not smooth, and what of the squared error of cells there stays when they
@@ -22,6 +23,22 @@ namespace abut
       double kept;
     };
 
+    /// Along the surface.
+    double centre_of_loads(const PairResult &result, const ContactRun &run, const Stretch &stretch)
+    {
+      const double begin = result.part(run.front()).place_arc;
+      double force = 0., moment = 0.; // about the first part
+      for (const std::size_t k : run)
+      {
+        const double ahead = result.part(k).place_arc - begin,
+                     load = result.loads[static_cast<Eigen::Index>(k)] * result.part(k).length;
+        force += load;
+        moment += load * (ahead < 0. ? ahead + stretch.length : ahead); // over the start of a closed one
+      }
+      const double centre = begin + moment / force;
+      return centre > result.part(stretch.last - 1).end ? centre - stretch.length : centre;
+    }
+
     /// Where contact is smaller than three parts, so that it has no ends yet: the centres of the loads, along
     /// the surface.
     std::vector<double> small_contacts(const PairResult &result)
@@ -29,18 +46,10 @@ namespace abut
       constexpr std::size_t fewest_parts = 3;
       std::vector<double> places;
       for (const Stretch &stretch : result.surface->partition().stretches())
-        for (std::size_t first = stretch.first, last; first < stretch.last; first = last + 1)
-        {
-          double force = 0., moment = 0.;
-          for (last = first; last < stretch.last && result.presses(last); ++last)
-          {
-            const double load = result.loads[static_cast<Eigen::Index>(last)] * result.part(last).length;
-            force += load;
-            moment += load * result.part(last).place_arc;
-          }
-          if (force > 0. && last - first < std::min(fewest_parts, stretch.last - stretch.first))
-            places.push_back(moment / force);
-        }
+        for (const ContactRun &run :
+             contact_runs(stretch, [&](const std::size_t k) { return result.presses(k); }))
+          if (run.size() < fewest_parts && !fills(run, stretch))
+            places.push_back(centre_of_loads(result, run, stretch));
       return places;
     }
 
@@ -49,7 +58,7 @@ namespace abut
       std::vector<Singularity> found;
       for (std::size_t a = 0; a < solution.bodies.size(); ++a)
         for (const Vector2 &vertex : solution.bodies[a].body->singular_vertices())
-          found.push_back({a, vertex, solution.bodies[a].body->cells_at(vertex), kept_at_vertex});
+          found.push_back({a, vertex, solution.bodies[a].body->cells_at(vertex), kept_by_splitting::vertex});
       for (const PairResult &pair : solution.pairs)
       {
         const auto add = [&](const double arc, const double kept) {
@@ -57,9 +66,9 @@ namespace abut
             found.push_back({at.body, at.place, {at.cell}, kept});
         };
         for (const ContactEnd &end : pair.curve->ends())
-          add(end.start + end.direction * end.length, kept_at_contact_end);
+          add(end.start + end.direction * end.length, kept_by_splitting::contact_end);
         for (const double arc : small_contacts(pair))
-          add(arc, kept_at_vertex);
+          add(arc, kept_by_splitting::vertex);
       }
       return found;
     }
@@ -77,7 +86,7 @@ namespace abut
           if (at.body == a)
             for (const unsigned int cell : at.cells)
               squares[cell] = 0.;
-        const double kept = std::pow(4., -static_cast<double>(cells[a].degree));
+        const double kept = kept_by_splitting::smooth(cells[a].degree);
         for (Eigen::Index i = 0; i < squares.size(); ++i)
           largest =
               std::max(largest, squares[i] * (marks[a].refine[static_cast<std::size_t>(i)] ? kept : 1.));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/adaptation/kept_by_splitting.h>
 #include <abut/run/contact_places.h>
 #include <abut/run/pressure_marks.h>
 
@@ -67,10 +68,16 @@ namespace abut
     return std::sqrt(sum(errors) / norm);
   }
 
+  bool pressures_meet_tolerance(const Scene &scene, const std::optional<double> &error)
+  {
+    return !scene.goal.is_energy() || error.value_or(0.) <= scene.tolerance;
+  }
+
   void mark_pressures(const Scene &scene, const Solution &solution, const double tolerance,
                       std::vector<CellMarks> &marks)
   {
-    constexpr double safety = .8, kept = .25, kept_inside = 1. / 16.; // of the square
+    constexpr double safety = .8;
+    constexpr double kept_at_end = kept_by_splitting::pressure_at_end;
     constexpr unsigned int most_further = 8;
     std::vector<LocalError> errors = local_errors(solution.pairs);
     const double aim = std::pow(safety * tolerance, 2) * squared_norm(solution.pairs);
@@ -85,8 +92,8 @@ namespace abut
       if (left <= aim)
         return;
       unsigned int further = 0;
-      double square = error.square * (error.is_end ? kept : kept_inside);
-      for (; error.is_end && square > share && further < most_further; square *= kept)
+      double square = error.square * (error.is_end ? kept_at_end : kept_by_splitting::pressure);
+      for (; error.is_end && square > share && further < most_further; square *= kept_at_end)
         ++further;
       left -= error.square - square;
       for (const PlaceOnBody &at : places_on_bodies(*error.pair, error.arc, solution.bodies))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/numbers.h>
+#include <abut/run/pressure_marks.h>
 #include <abut/run/tolerance_end.h>
 
 #include <deal.II/base/exceptions.h>
@@ -113,7 +114,7 @@ namespace abut
   {
     const PassRecord &last = passes.back();
     if (last.error_for_tolerance() <= scene.tolerance && last.n_missed == 0 &&
-        (last.goal || last.pressure.value_or(0.) <= scene.tolerance))
+        pressures_meet_tolerance(scene, last.pressure))
       return AdaptationEnd{"tolerance", ""};
     const auto missed = [&](const std::string &by, const std::string &cause, const std::string &way) {
       return AdaptationEnd{by, missed_tolerance(scene, last, cause, way)};

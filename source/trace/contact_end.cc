@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/trace/contact_end.h>
+#include <abut/trace/contact_runs.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace abut
 {
@@ -13,91 +15,102 @@ namespace abut
     constexpr std::size_t most_fitted = 4, fewest_fitted = 3; // parts: two alone ring
     constexpr double largest_share = .4; // of the way from the largest load: further in is no square root
 
-    /// The parts of one stretch with their loads, gone through in one direction.
-    class Walk
+    /// The part that follows a run, in the direction; none where the stretch ends with it.
+    std::optional<std::size_t> part_beyond(const Stretch &stretch, const ContactRun &run, const int direction)
+    {
+      if (fills(run, stretch))
+        return {};
+      const std::size_t last = direction > 0 ? run.back() : run.front(),
+                        end = direction > 0 ? stretch.last - 1 : stretch.first,
+                        other_end = direction > 0 ? stretch.first : stretch.last - 1;
+      if (last == end)
+        return stretch.closed ? std::optional<std::size_t>(other_end) : std::nullopt;
+      return direction > 0 ? last + 1 : last - 1;
+    }
+
+    /// One end of contact: of the parts of a run, outwards, and the first one beyond.
+    class EndFit
     {
     public:
-      Walk(const Partition &partition, const Stretch &stretch, const Eigen::VectorXd &loads,
-           const int direction)
-          : partition_(partition), stretch_(stretch), loads_(loads), direction_(direction)
+      EndFit(const Partition &partition, const Eigen::VectorXd &loads, ContactRun outwards,
+             const std::size_t beyond, const int direction)
+          : partition_(partition), loads_(loads), outwards_(std::move(outwards)), beyond_(beyond),
+            direction_(direction)
       {}
 
-      std::size_t size() const { return stretch_.last - stretch_.first; }
-      std::size_t part(const std::size_t i) const
+      /// See find_contact_ends.
+      std::optional<ContactEnd> fit() const
       {
-        return direction_ > 0 ? stretch_.first + i % size() : stretch_.last - 1 - i % size();
+        const std::size_t n = outwards_.size(), begin = first_fitted();
+        if (n - begin < fewest_fitted)
+          return {};
+        ContactEnd end{{outwards_.begin() + static_cast<std::ptrdiff_t>(begin), outwards_.end()},
+                       direction_,
+                       start(begin),
+                       0.,
+                       0.,
+                       0.};
+        double force = 0., moment = 0., covered = 0.;
+        for (std::size_t i = begin; i < n; ++i)
+        {
+          force += load(i) * length(i);
+          moment += load(i) * length(i) * (covered + .5 * length(i));
+          covered += length(i);
+        }
+        end.parts.push_back(beyond_);
+        end.length = 2.5 * moment / force;
+        end.amplitude = 1.5 * force * std::pow(end.length, -1.5);
+        end.beyond = end.length - covered;
+        if (end.beyond < -length(n - 1) || end.beyond > partition_.parts()[beyond_].length)
+          return {};
+        return end;
       }
-      bool presses(const std::size_t i) const { return load(i) > 0.; }
-      double load(const std::size_t i) const { return loads_[static_cast<Eigen::Index>(part(i))]; }
-      double length(const std::size_t i) const { return at(i).length; }
-      /// The bound that is met first.
-      double start(const std::size_t i) const { return direction_ > 0 ? at(i).start : at(i).end; }
 
     private:
-      const Part &at(const std::size_t i) const { return partition_.parts()[part(i)]; }
+      const Part &part(const std::size_t i) const { return partition_.parts()[outwards_[i]]; }
+      double load(const std::size_t i) const { return loads_[static_cast<Eigen::Index>(outwards_[i])]; }
+      double length(const std::size_t i) const { return part(i).length; }
+      double start(const std::size_t i) const { return direction_ > 0 ? part(i).start : part(i).end; }
+
+      double length_from(std::size_t i) const
+      {
+        double sum = 0.;
+        for (; i < outwards_.size(); ++i)
+          sum += length(i);
+        return sum;
+      }
+
+      std::size_t first_fitted() const
+      {
+        const std::size_t n = outwards_.size();
+        std::size_t begin = n - std::min(most_fitted, n), largest = 0;
+        for (std::size_t i = 0; i < n; ++i)
+          if (load(i) > load(largest))
+            largest = i;
+        while (length_from(begin) > largest_share * length_from(largest))
+          ++begin;
+        return begin;
+      }
 
       const Partition &partition_;
-      const Stretch &stretch_;
       const Eigen::VectorXd &loads_;
+      ContactRun outwards_;
+      std::size_t beyond_;
       int direction_;
     };
 
-    /// The end of contact [first, last] beyond its last part; see find_contact_ends.
-    std::optional<ContactEnd> end_of(const Walk &walk, const std::size_t first, const std::size_t last,
-                                     const int direction)
-    {
-      const auto length_from = [&](std::size_t i) {
-        double sum = 0.;
-        for (; i <= last; ++i)
-          sum += walk.length(i);
-        return sum;
-      };
-      std::size_t begin = last + 1 - std::min(most_fitted, last + 1 - first);
-      std::size_t largest = first;
-      for (std::size_t i = first; i <= last; ++i)
-        if (walk.load(i) > walk.load(largest))
-          largest = i;
-      while (length_from(begin) > largest_share * length_from(largest))
-        ++begin;
-      if (last + 1 - begin < fewest_fitted)
-        return {};
-      ContactEnd end{{}, direction, walk.start(begin), 0., 0., 0.};
-      double force = 0., moment = 0., covered = 0.;
-      for (std::size_t i = begin; i <= last; ++i)
-      {
-        end.parts.push_back(walk.part(i));
-        force += walk.load(i) * walk.length(i);
-        moment += walk.load(i) * walk.length(i) * (covered + .5 * walk.length(i));
-        covered += walk.length(i);
-      }
-      end.parts.push_back(walk.part(last + 1));
-      end.length = 2.5 * moment / force;
-      end.amplitude = 1.5 * force * std::pow(end.length, -1.5);
-      end.beyond = end.length - covered;
-      if (end.beyond < -walk.length(last) || end.beyond > walk.length(last + 1))
-        return {};
-      return end;
-    }
-
     void add_ends(const Partition &partition, const Stretch &stretch, const Eigen::VectorXd &loads,
-                  const int direction, std::vector<ContactEnd> &ends)
+                  std::vector<ContactEnd> &ends)
     {
-      const Walk walk(partition, stretch, loads, direction);
-      const std::size_t n = walk.size();
-      std::size_t first = 0; // begin with a part of a closed stretch that does not press
-      while (stretch.closed && first < n && walk.presses(first))
-        ++first;
-      if (first == n)
-        return;
-      const std::size_t stop = stretch.closed ? first + n : n - 1;
-      for (std::size_t i = first; i < stop; ++i)
-      {
-        if (!walk.presses(i))
-          first = i + 1;
-        else if (!walk.presses(i + 1))
-          if (auto end = end_of(walk, first, i, direction))
-            ends.push_back(std::move(*end));
-      }
+      const auto presses = [&](const std::size_t k) { return loads[static_cast<Eigen::Index>(k)] > 0.; };
+      for (const ContactRun &run : contact_runs(stretch, presses))
+        for (const int direction : {-1, 1})
+          if (const auto beyond = part_beyond(stretch, run, direction))
+          {
+            const ContactRun outwards = direction > 0 ? run : ContactRun(run.rbegin(), run.rend());
+            if (auto end = EndFit(partition, loads, outwards, *beyond, direction).fit())
+              ends.push_back(std::move(*end));
+          }
     }
   } // namespace
 
@@ -111,8 +124,7 @@ namespace abut
     AssertDimension(loads.size(), static_cast<Eigen::Index>(partition.parts().size()));
     std::vector<ContactEnd> ends;
     for (const Stretch &stretch : partition.stretches())
-      for (const int direction : {-1, 1})
-        add_ends(partition, stretch, loads, direction, ends);
+      add_ends(partition, stretch, loads, ends);
     return ends;
   }
 } // namespace abut

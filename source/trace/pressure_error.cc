@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/trace/contact_runs.h>
 #include <abut/trace/pressure_error.h>
 
 #include <deal.II/base/exceptions.h>
@@ -18,14 +19,14 @@ namespace abut
     constexpr double of_roughness = .5;    // what belongs to the place itself, squared
     constexpr double steep = 2.; // a pressure that rises so much to the end of a stretch is singular
 
-    /// Parts in contact that follow one another, within one stretch.
-    class ContactRun
+    /// What one run adds to the error.
+    class RunError
     {
     public:
-      ContactRun(const Partition &partition, const Stretch &stretch, const Eigen::VectorXd &loads,
-                 const Eigen::VectorXd &pressures, std::vector<std::size_t> parts, PressureError &error)
-          : partition_(partition), stretch_(stretch), loads_(loads), pressures_(pressures),
-            parts_(std::move(parts)), error_(error)
+      RunError(const Partition &partition, const Stretch &stretch, const Eigen::VectorXd &loads,
+               const Eigen::VectorXd &pressures, const ContactRun &parts, PressureError &error)
+          : partition_(partition), stretch_(stretch), loads_(loads), pressures_(pressures), parts_(parts),
+            error_(error)
       {
         for (const std::size_t k : parts_)
           length_ += part(k).length;
@@ -109,7 +110,7 @@ namespace abut
       const Partition &partition_;
       const Stretch &stretch_;
       const Eigen::VectorXd &loads_, &pressures_;
-      std::vector<std::size_t> parts_;
+      const ContactRun &parts_;
       PressureError &error_;
       double length_ = 0.;
     };
@@ -122,28 +123,11 @@ namespace abut
     AssertDimension(static_cast<std::size_t>(loads.size()), n);
     AssertDimension(static_cast<std::size_t>(pressures.size()), n);
     PressureError error{Eigen::VectorXd::Zero(loads.size()), {}, std::vector<bool>(n, false)};
+    const auto presses = [&](const std::size_t k) { return loads[static_cast<Eigen::Index>(k)] > 0.; };
     for (const Stretch &stretch : partition.stretches())
-    {
-      const std::size_t size = stretch.last - stretch.first;
-      const auto part = [&](const std::size_t i) { return stretch.first + i % size; };
-      const auto presses = [&](const std::size_t i) {
-        return loads[static_cast<Eigen::Index>(part(i))] > 0.;
-      };
-      std::size_t begin = 0; // a closed stretch begins with a part that does not press
-      while (stretch.closed && begin < size && presses(begin))
-        ++begin;
-      if (begin == size)
-        continue; // pressed all around
-      std::vector<std::size_t> parts;
-      for (std::size_t i = begin; i <= begin + size; ++i)
-        if (i < begin + size && presses(i))
-          parts.push_back(part(i));
-        else if (!parts.empty())
-        {
-          ContactRun(partition, stretch, loads, pressures, parts, error).estimate();
-          parts.clear();
-        }
-    }
+      for (const ContactRun &run : contact_runs(stretch, presses))
+        if (!stretch.closed || !fills(run, stretch))
+          RunError(partition, stretch, loads, pressures, run, error).estimate();
     return error;
   }
 } // namespace abut

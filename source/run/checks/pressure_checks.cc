@@ -4,6 +4,7 @@
 
 #include <abut/run/checks/validity.h>
 #include <abut/run/part_cells.h>
+#include <abut/trace/contact_runs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,32 +25,9 @@ namespace abut
           ->name();
     }
 
-    using Run = std::vector<std::size_t>; // parts that follow one another
-
-    /// The parts of a stretch in contact, without gaps between them; a stretch in contact from end to end,
-    /// where the sides and not the pressures say where contact ends, has none.
-    std::vector<Run> runs_within(const PairResult &pair, const Stretch &stretch)
+    std::vector<ContactRun> runs_within(const PairResult &pair, const Stretch &stretch)
     {
-      const std::size_t n = stretch.last - stretch.first;
-      std::size_t open = 0; // the first part that does not press
-      while (open < n && pair.presses(stretch.first + open))
-        ++open;
-      if (open == n)
-        return {};
-      std::vector<Run> runs;
-      const std::size_t begin = stretch.closed ? open : 0;
-      bool going_on = false;
-      for (std::size_t i = begin; i < begin + n; ++i)
-      {
-        const std::size_t part = stretch.first + i % n;
-        const bool presses = pair.presses(part);
-        if (presses && !going_on)
-          runs.emplace_back();
-        if (presses)
-          runs.back().push_back(part);
-        going_on = presses;
-      }
-      return runs;
+      return contact_runs(stretch, [&](const std::size_t k) { return pair.presses(k); });
     }
 
     /// Fewer have no shape: the peak is that of a part. Two cells of a polygon for a curve are a little
@@ -60,8 +38,10 @@ namespace abut
     {
       const std::vector<PartCell> cells = part_cells(*pair.surface);
       for (const Stretch &stretch : pair.surface->partition().stretches())
-        for (const Run &run : runs_within(pair, stretch))
+        for (const ContactRun &run : runs_within(pair, stretch))
         {
+          if (fills(run, stretch))
+            continue;
           double length = 0., cell = 0.;
           for (const std::size_t k : run)
           {
@@ -97,29 +77,22 @@ namespace abut
     constexpr std::size_t fewest_half_waves = 3;
 
     /// The parts from the first that presses to the last, without those at the ends, where contact ends
-    /// somewhere within them. A closed stretch begins behind a part that does not press.
-    Run inner_parts(const PairResult &pair, const Stretch &stretch)
+    /// somewhere within them.
+    std::vector<std::size_t> inner_parts(const PairResult &pair, const Stretch &stretch)
     {
-      const std::size_t n = stretch.last - stretch.first;
-      std::size_t begin = 0;
-      while (stretch.closed && begin < n && pair.presses(stretch.first + begin))
-        ++begin;
-      Run parts;
-      for (std::size_t i = begin; i < begin + n; ++i)
-      {
-        const std::size_t k = stretch.first + i % n;
-        if (pair.presses(k) || !parts.empty())
-          parts.push_back(k);
-      }
-      while (!parts.empty() && !pair.presses(parts.back()))
-        parts.pop_back();
-      if (parts.size() < 3)
+      const std::vector<ContactRun> runs = runs_within(pair, stretch);
+      if (runs.empty())
         return {};
-      return {parts.begin() + 1, parts.end() - 1};
+      const std::size_t n = stretch.last - stretch.first;
+      std::vector<std::size_t> parts;
+      for (std::size_t k = runs.front().front(); k != runs.back().back();
+           k = stretch.first + (k - stretch.first + 1) % n)
+        parts.push_back(k);
+      return parts.empty() ? parts : std::vector<std::size_t>(parts.begin() + 1, parts.end());
     }
 
     /// The mean of the pressures of those parts that press.
-    double mean_pressure(const PairResult &pair, const Run &parts)
+    double mean_pressure(const PairResult &pair, const std::vector<std::size_t> &parts)
     {
       double sum = 0.;
       std::size_t n = 0;
@@ -134,10 +107,11 @@ namespace abut
 
     /// Where pressures turn, from up to down or from down to up, by more than `least` each time; the first
     /// and the last part too.
-    Run turning_parts(const PairResult &pair, const Run &parts, const double least)
+    std::vector<std::size_t> turning_parts(const PairResult &pair, const std::vector<std::size_t> &parts,
+                                           const double least)
     {
       const auto pressure = [&](const std::size_t k) { return pair.pressures[static_cast<Eigen::Index>(k)]; };
-      Run turns = {parts.front()};
+      std::vector<std::size_t> turns = {parts.front()};
       std::size_t farthest = parts.front(); // since the last turn
       double direction = 0.;
       for (const std::size_t k : parts)
@@ -167,11 +141,11 @@ namespace abut
     Wave largest_wave_within(const PairResult &pair, const Stretch &stretch,
                              const std::vector<PartCell> &cells)
     {
-      const Run parts = inner_parts(pair, stretch);
+      const std::vector<std::size_t> parts = inner_parts(pair, stretch);
       if (parts.empty())
         return {};
       const double mean = mean_pressure(pair, parts);
-      const Run turns = turning_parts(pair, parts, 2. * largest_wave * mean);
+      const std::vector<std::size_t> turns = turning_parts(pair, parts, 2. * largest_wave * mean);
       Wave largest;
       std::size_t n_on_end = 0;
       double smallest = 0.; // of those on end
