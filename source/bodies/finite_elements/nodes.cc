@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bodies/finite_elements/nodes.h>
 
-#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
 
 namespace abut
 {
   Nodes all_nodes(const Space &space)
   {
-    std::map<dealii::types::global_dof_index, dealii::Point<2>> points;
-    dealii::DoFTools::map_dofs_to_support_points(space.mapping(), space.dof_handler(), points);
     const auto &fe = space.dof_handler().get_fe();
-    const auto n = static_cast<std::size_t>(space.n_dofs());
-    std::vector<bool> seen(n, false);
+    // Both components have their nodes in the same places.
+    const dealii::Quadrature<2> places(fe.base_element(0).get_unit_support_points());
+    dealii::FEValues<2> values(space.mapping(), fe.base_element(0), places, dealii::update_quadrature_points);
+    std::vector<bool> seen(static_cast<std::size_t>(space.n_dofs()), false);
     Nodes nodes;
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    const unsigned int n_nodes_per_cell = fe.n_dofs_per_cell() / 2;
     for (const auto &cell : space.dof_handler().active_cell_iterators())
     {
       cell->get_dof_indices(dofs);
-      for (unsigned int i = 0; i < n_nodes_per_cell; ++i)
+      values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(cell));
+      for (unsigned int i = 0; i < places.size(); ++i)
       {
         const auto x = dofs[fe.component_to_system_index(0, i)], y = dofs[fe.component_to_system_index(1, i)];
         if (seen[x])
           continue;
         seen[x] = true;
         nodes.dofs.push_back({{static_cast<unsigned int>(x), static_cast<unsigned int>(y)}});
-        nodes.places.emplace_back(points[x][0], points[x][1]);
+        nodes.places.emplace_back(values.quadrature_point(i)[0], values.quadrature_point(i)[1]);
       }
     }
     return nodes;
