@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What the end of the contact does. Inside a part, where it may lie anywhere, the pressure is constant:
+// What the end of the contact does. It may lie anywhere inside a part, whose load is a single number:
 // errors of one mesh go up and down with that place by more than between methods. So they are taken over
 // eight approaches that move it through one cell, and the largest are compared with those of the
 // discretisation before, dual multipliers on the nodes of the slave, on the same meshes.
