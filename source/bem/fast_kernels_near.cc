@@ -12,28 +12,7 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-
-    /// Real and imaginary parts of vectors, as columns.
-    template <typename... Vectors> Eigen::MatrixXd as_parts(const Vectors &...vectors)
-    {
-      const Index rows = std::max({vectors.size()...});
-      Eigen::MatrixXd parts(rows, 2 * static_cast<Index>(sizeof...(vectors)));
-      Index column = 0;
-      const auto add = [&](const auto &vector) {
-        parts.col(column++) = vector.real();
-        parts.col(column++) = vector.imag();
-      };
-      (add(vectors), ...);
-      return parts;
-    }
-    Eigen::VectorXcd from_parts(const Eigen::MatrixXd &parts, const Index vector)
-    {
-      Eigen::VectorXcd x(parts.rows());
-      x.real() = parts.col(2 * vector);
-      x.imag() = parts.col(2 * vector + 1);
-      return x;
-    }
-  } // namespace
+  }
 
   bool FastKernels::is_larger(const std::size_t a, const std::size_t b) const
   {
@@ -71,8 +50,7 @@ namespace abut
       rows.columns.push_back(columns);
       columns += n_rows(leaf);
     }
-    for (Eigen::MatrixXd *matrix : {&rows.log, &rows.even_real, &rows.even_imag, &rows.double_layer})
-      matrix->resize(n_rows(target), columns);
+    rows.resize(n_rows(target), columns);
   }
 
   void FastKernels::integrate_near(const GalerkinRule &rule)
@@ -118,35 +96,31 @@ namespace abut
 
   void FastKernels::add_near(const KernelDensities &densities, KernelProducts &products) const
   {
-    const Eigen::MatrixXd t_g = as_parts(densities.traction, densities.slope),
-                          u = as_parts(densities.displacement);
-    Eigen::MatrixXd transposed = Eigen::MatrixXd::Zero(u.rows(), 2);
     for (std::size_t i = 0; i < near_.size(); ++i)
     {
       const NearRows &rows = near_[i];
       if (rows.leaves.empty())
         continue;
       const Index row = first_row(i), n = n_rows(i);
-      Eigen::MatrixXd near_t_g(rows.log.cols(), 4), near_u(rows.log.cols(), 2);
+      const Eigen::VectorXcd blank(rows.log.cols());
+      KernelDensities near{blank, blank, blank};
       for (std::size_t k = 0; k < rows.leaves.size(); ++k)
       {
-        const Index first = first_row(rows.leaves[k]), count = n_rows(rows.leaves[k]);
-        near_t_g.middleRows(rows.columns[k], count) = t_g.middleRows(first, count);
-        near_u.middleRows(rows.columns[k], count) = u.middleRows(first, count);
+        const Index first = first_row(rows.leaves[k]), column = rows.columns[k],
+                    count = n_rows(rows.leaves[k]);
+        near.traction.segment(column, count) = densities.traction.segment(first, count);
+        near.displacement.segment(column, count) = densities.displacement.segment(first, count);
+        near.slope.segment(column, count) = densities.slope.segment(first, count);
       }
-      const Eigen::MatrixXd log = rows.log * near_t_g, real = rows.even_real * near_t_g,
-                            imag = rows.even_imag * near_t_g, layer = rows.double_layer * near_u,
-                            back = rows.double_layer.transpose() * t_g.block(row, 0, n, 2);
-      const Complex unit(0., 1.);
-      products.traction_log.segment(row, n) += from_parts(log, 0);
-      products.slope_log.segment(row, n) += from_parts(log, 1);
-      products.traction_even.segment(row, n) += from_parts(real, 0) + unit * from_parts(imag, 0);
-      products.slope_even.segment(row, n) += from_parts(real, 1) + unit * from_parts(imag, 1);
-      products.double_layer.segment(row, n) += from_parts(layer, 0);
+      const KernelProducts found = rows.multiply(near, densities.traction.segment(row, n));
+      products.traction_log.segment(row, n) += found.traction_log;
+      products.traction_even.segment(row, n) += found.traction_even;
+      products.slope_log.segment(row, n) += found.slope_log;
+      products.slope_even.segment(row, n) += found.slope_even;
+      products.double_layer.segment(row, n) += found.double_layer;
       for (std::size_t k = 0; k < rows.leaves.size(); ++k)
-        transposed.middleRows(first_row(rows.leaves[k]), n_rows(rows.leaves[k])) +=
-            back.middleRows(rows.columns[k], n_rows(rows.leaves[k]));
+        products.transposed_double_layer.segment(first_row(rows.leaves[k]), n_rows(rows.leaves[k])) +=
+            found.transposed_double_layer.segment(rows.columns[k], n_rows(rows.leaves[k]));
     }
-    products.transposed_double_layer += from_parts(transposed, 0);
   }
 } // namespace abut

@@ -20,9 +20,7 @@ namespace abut
   {
     for (std::size_t m = 0; m < elements.size(); ++m)
       lengths[static_cast<Eigen::Index>(m)] = elements[m].length;
-    const Eigen::Index n = lengths.size() * (degree + 1);
-    for (Eigen::MatrixXd *matrix : {&log, &even_real, &even_imag, &double_layer})
-      *matrix = large_matrix(n, n);
+    resize(lengths.size() * (degree + 1), lengths.size() * (degree + 1));
   }
 
   void KernelMatrices::set(const std::size_t first, const std::size_t second, const PairIntegrals &integrals)
@@ -31,15 +29,23 @@ namespace abut
     AssertIndexRange(static_cast<Eigen::Index>(second), lengths.size());
     const Eigen::Index size = degree + 1, row = static_cast<Eigen::Index>(first) * size,
                        column = static_cast<Eigen::Index>(second) * size;
-    for (Eigen::Index j = 0; j < size; ++j)
-      for (Eigen::Index i = 0; i < size; ++i)
+    // The second element is mostly the later one: down its rows.
+    for (Eigen::Index i = 0; i < size; ++i)
+      for (Eigen::Index j = 0; j < size; ++j)
       {
-        log(row + i, column + j) = log(column + j, row + i) = integrals.log(i, j);
-        even_real(row + i, column + j) = even_real(column + j, row + i) = integrals.even_real(i, j);
-        even_imag(row + i, column + j) = even_imag(column + j, row + i) = integrals.even_imag(i, j);
+        const Eigen::Index below = std::max(row + i, column + j), before = std::min(row + i, column + j);
+        log(below, before) = integrals.log(i, j);
+        even_real(below, before) = integrals.even_real(i, j);
+        even_imag(below, before) = integrals.even_imag(i, j);
         double_layer(row + i, column + j) = integrals.double_layer(i, j);
         double_layer(column + j, row + i) = integrals.reversed(i, j);
       }
+  }
+
+  void KernelMatrices::complete()
+  {
+    for (Eigen::MatrixXd *matrix : {&log, &even_real, &even_imag})
+      complete_symmetric(*matrix);
   }
 
   KernelMatrices kernel_matrices(const std::vector<BoundaryElement> &elements, const unsigned int degree,
@@ -55,6 +61,7 @@ namespace abut
       for (std::size_t columns = rows; columns < n; columns += tile_size)
         for (std::size_t m = rows; m < std::min(n, rows + tile_size); ++m)
           integrator.integrate(m, std::max(m, columns), std::min(n, columns + tile_size), set);
+    matrices.complete();
     return matrices;
   }
 } // namespace abut

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <sys/mman.h>
 
@@ -23,5 +24,22 @@ namespace abut
       madvise(reinterpret_cast<void *>(first), end - first, MADV_HUGEPAGE);
 #endif
     return matrix;
+  }
+
+  void complete_symmetric(Eigen::MatrixXd &matrix)
+  {
+    AssertDimension(matrix.rows(), matrix.cols());
+    constexpr Eigen::Index tile_size = 64;
+    for (Eigen::Index column = 0; column < matrix.cols(); column += tile_size)
+    {
+      const Eigen::Index width = std::min(tile_size, matrix.cols() - column);
+      auto diagonal = matrix.block(column, column, width, width);
+      diagonal.triangularView<Eigen::StrictlyUpper>() = diagonal.transpose();
+      for (Eigen::Index row = column + width; row < matrix.rows(); row += tile_size)
+      {
+        const Eigen::Index height = std::min(tile_size, matrix.rows() - row);
+        matrix.block(column, row, width, height) = matrix.block(row, column, height, width).transpose();
+      }
+    }
   }
 } // namespace abut

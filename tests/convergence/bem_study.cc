@@ -54,7 +54,7 @@ namespace abut
                                    std::max(problem.displacement_degree, problem.traction_degree)),
             supported_(supports()), problem_(space_, supported_, problem.traction_degree,
                                              problem.material.poisson_ratio, problem.rule),
-            state_(problem_.solve(known()))
+            state_(problem_.solve(known(), 0.).value())
       {}
 
       BoundaryErrors errors() const
@@ -202,7 +202,7 @@ namespace abut
       const BoundaryCase &case_;
       BoundarySpace space_;
       std::vector<std::vector<Vector2>> supported_;
-      BoundaryProblem problem_;
+      DenseBoundaryProblem problem_;
       BoundaryState state_;
     };
   } // namespace

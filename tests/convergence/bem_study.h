@@ -3,7 +3,7 @@
 #pragma once
 
 #include <abut/base/material.h>
-#include <abut/bem/boundary_problem.h>
+#include <abut/bem/dense_boundary_problem.h>
 #include <abut/bem/interior_stress.h>
 
 #include <functional>

@@ -50,6 +50,18 @@ TEST(DenseCholesky, SolvesWithHalfOfTheFactor)
   EXPECT_LE((half - exact).norm(), 1e-13 * exact.norm());
 }
 
+TEST(DenseCholesky, MultipliesAsEigenDoes)
+{
+  for (const Eigen::Index rows : {0, 1, 7, 60})
+    for (const Eigen::Index inner : {0, 1, 5, 90})
+    {
+      const Eigen::MatrixXd a = Eigen::MatrixXd::Random(rows, inner), b = Eigen::MatrixXd::Random(inner, 4),
+                            c = Eigen::MatrixXd::Random(rows, 2);
+      EXPECT_LE((blas_product(a, b) - a * b).norm(), 1e-14 * a.norm() * b.norm());
+      EXPECT_LE((transposed_blas_product(a, c) - a.transpose() * c).norm(), 1e-14 * a.norm() * c.norm());
+    }
+}
+
 TEST(DenseCholesky, TellsAMatrixThatIsNotPositiveDefinite)
 {
   for (const double entry : {0., -1., std::numeric_limits<double>::quiet_NaN()})

@@ -21,16 +21,15 @@ namespace
     return (a - b).norm() / b.norm();
   }
 
-  /// The largest relative error of all products.
-  double error_of_products(const Elements &elements, const unsigned int degree, const double tolerance)
+  KernelDensities random_densities(const Eigen::Index n)
   {
-    const GalerkinRule rule = GalerkinRule::precise();
-    const KernelMatrices matrices = kernel_matrices(elements, degree, rule);
-    const FastKernels fast(elements, degree, rule);
-    const Eigen::Index n = matrices.log.rows();
-    const KernelDensities x{Eigen::VectorXcd::Random(n), Eigen::VectorXcd::Random(n),
-                            Eigen::VectorXcd::Random(n)};
-    const KernelProducts products = fast.multiply(x, {fast, tolerance});
+    return {Eigen::VectorXcd::Random(n), Eigen::VectorXcd::Random(n), Eigen::VectorXcd::Random(n)};
+  }
+
+  /// The largest relative error of all products.
+  double largest_error(const KernelProducts &products, const KernelMatrices &matrices,
+                       const KernelDensities &x)
+  {
     const Eigen::MatrixXcd even = matrices.even_real + Complex(0., 1.) * matrices.even_imag;
     return std::max({relative_difference(products.traction_log, matrices.log * x.traction),
                      relative_difference(products.slope_log, matrices.log * x.slope),
@@ -39,6 +38,15 @@ namespace
                      relative_difference(products.double_layer, matrices.double_layer * x.displacement),
                      relative_difference(products.transposed_double_layer,
                                          matrices.double_layer.transpose() * x.traction)});
+  }
+
+  double error_of_products(const Elements &elements, const unsigned int degree, const double tolerance)
+  {
+    const GalerkinRule rule = GalerkinRule::precise();
+    const KernelMatrices matrices = kernel_matrices(elements, degree, rule);
+    const FastKernels fast(elements, degree, rule);
+    const KernelDensities x = random_densities(matrices.log.rows());
+    return largest_error(fast.multiply(x, {fast, tolerance}), matrices, x);
   }
 } // namespace
 
@@ -53,6 +61,19 @@ TEST(BemFastKernels, MultiplyAsTheMatricesDo)
       for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10})
         EXPECT_LT(error_of_products(elements, degree, tolerance), 10. * tolerance)
             << elements.size() << " " << degree << " " << tolerance;
+}
+
+TEST(BemFastKernels, AreTheSameByMatrices)
+{
+  for (unsigned int degree = 0; degree <= 3; ++degree)
+  {
+    const KernelMatrices matrices =
+        kernel_matrices(l_shape(equal_parts(9)), degree, GalerkinRule::estimating());
+    for (const Eigen::MatrixXd *symmetric : {&matrices.log, &matrices.even_real, &matrices.even_imag})
+      EXPECT_EQ(*symmetric, symmetric->transpose());
+    const KernelDensities x = random_densities(matrices.log.rows());
+    EXPECT_LT(largest_error(matrices.multiply(x, x.traction), matrices, x), 1e-14);
+  }
 }
 
 TEST(BemFastKernels, HaveNoSeriesForFewElements)

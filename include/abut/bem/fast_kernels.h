@@ -3,6 +3,7 @@
 
 #include <abut/bem/galerkin_rule.h>
 #include <abut/bem/holomorphic_series.h>
+#include <abut/bem/kernel_products.h>
 
 #include <Eigen/Core>
 
@@ -10,21 +11,6 @@
 
 namespace abut
 {
-  /// Fields on the boundary: complex Legendre coefficients, in the rows of KernelMatrices.
-  struct KernelDensities
-  {
-    Eigen::VectorXcd traction, displacement, slope;
-  };
-
-  /// What KernelMatrices make of them.
-  struct KernelProducts
-  {
-    Eigen::VectorXcd traction_log, traction_even;
-    Eigen::VectorXcd slope_log, slope_even;   ///< even: of (even_real + i even_imag)
-    Eigen::VectorXcd double_layer;            ///< of the displacement
-    Eigen::VectorXcd transposed_double_layer; ///< of the traction
-  };
-
   /**
    * The products of KernelMatrices with vectors, in a time and memory that grow like the number of elements:
    * pairs of clusters close to each other as matrices, with the same integrals, the others by the fast
@@ -64,11 +50,10 @@ namespace abut
     static constexpr double convergence = .4;
 
     /// A leaf's rows of the matrices, in the columns of the leaves near to it.
-    struct NearRows
+    struct NearRows : KernelBlock
     {
       std::vector<std::size_t> leaves;   ///< clusters
       std::vector<Eigen::Index> columns; ///< where those of each begin
-      Eigen::MatrixXd log, even_real, even_imag, double_layer;
     };
 
     /// Decides which of two clusters is divided; never both, so that neighbours are so mutually.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/bem/galerkin_rule.h>
+#include <abut/bem/kernel_products.h>
 #include <abut/bem/pair_integrals.h>
 
 #include <vector>
@@ -13,23 +14,19 @@ namespace abut
    * x on the element of the row and y on the element of the column, w = y - x, against the Legendre
    * polynomials P_i(x) P_j(y); row or column = element (degree + 1) + degree of the polynomial. In
    * coordinates divided by about the body's diameter. See [HsiaoWendland2008, 2.2]
-   * and [Sutradhar2008, ch. 3].
+   * and [Sutradhar2008, ch. 3]. All but the double layer are symmetric.
    */
-  struct KernelMatrices
+  struct KernelMatrices : KernelBlock
   {
     KernelMatrices(const std::vector<BoundaryElement> &elements, unsigned int degree);
 
+    /// Of the symmetric matrices the lower triangle alone.
     void set(std::size_t first, std::size_t second, const PairIntegrals &integrals);
+    /// The upper one.
+    void complete();
 
     unsigned int degree;
-    Eigen::VectorXd lengths;              ///< of the elements
-    Eigen::MatrixXd log;                  ///< int int P_i P_j ln |w|, symmetric
-    Eigen::MatrixXd even_real, even_imag; ///< int int P_i P_j conj(w)/w, symmetric
-    /**
-     * -(1/2 pi) Im(direction_y int int P_i P_j/w), which is int int P_i P_j d/dn(y) (-ln |w|/(2 pi)) with the
-     * outward normal. Zero for elements of one line.
-     */
-    Eigen::MatrixXd double_layer;
+    Eigen::VectorXd lengths; ///< of the elements
   };
 
   /**

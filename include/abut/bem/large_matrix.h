@@ -10,4 +10,8 @@ namespace abut
    * for the first time can take several times as long as to compute what goes into them.
    */
   Eigen::MatrixXd large_matrix(Eigen::Index rows, Eigen::Index columns);
+
+  /// Gives a symmetric matrix its upper triangle, of which the lower one is there, by tiles that stay in the
+  /// cache.
+  void complete_symmetric(Eigen::MatrixXd &matrix);
 } // namespace abut

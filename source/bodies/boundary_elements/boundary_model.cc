@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/stopwatch.h>
 #include <abut/base/user_error.h>
+#include <abut/bem/dense_boundary_problem.h>
+#include <abut/bem/fast_boundary_problem.h>
 #include <abut/bem/fast_stress.h>
 #include <abut/bodies/boundary_elements/boundary_model.h>
 #include <abut/bodies/finite_elements/cell_materials.h>
@@ -85,12 +87,7 @@ namespace abut
     data_ = std::make_unique<BoundaryData>(body, material_, *sides_, *space_, traction_degree_);
     if (kind == BoundarySolution::finite_element_trace)
       return;
-    if (accuracy.solves_fast(static_cast<std::size_t>(space_->n_coefficients())))
-      fast_problem_ = std::make_unique<FastBoundaryProblem>(*space_, data_->supported(), traction_degree_,
-                                                            material_.poisson_ratio, rule());
-    else
-      make_problem();
-    n_unknowns_ = fast_problem_ ? fast_problem_->n_unknowns() : problem_->n_unknowns();
+    problem_ = make_problem(solves_fast());
   }
 
   GalerkinRule BoundaryModel::rule() const
@@ -100,10 +97,12 @@ namespace abut
     return needs_precision ? GalerkinRule::precise() : GalerkinRule::estimating();
   }
 
-  void BoundaryModel::make_problem() const
+  std::unique_ptr<BoundaryProblem> BoundaryModel::make_problem(const bool fast) const
   {
-    problem_ = std::make_unique<BoundaryProblem>(*space_, data_->supported(), traction_degree_,
-                                                 material_.poisson_ratio, rule());
+    const double nu = material_.poisson_ratio;
+    if (fast)
+      return std::make_unique<FastBoundaryProblem>(*space_, data_->supported(), traction_degree_, nu, rule());
+    return std::make_unique<DenseBoundaryProblem>(*space_, data_->supported(), traction_degree_, nu, rule());
   }
 
   BoundaryState BoundaryModel::solve(const BodySolution &solution, const double tolerance) const
@@ -112,13 +111,10 @@ namespace abut
     if (kind_ == BoundarySolution::finite_element_trace)
       return finite_element_state(solution);
     const BoundaryState known = data_->known(solution);
-    if (fast_problem_ && !problem_)
-    {
-      if (const std::optional<BoundaryState> state = fast_problem_->solve(known, tolerance))
-        return *state;
-      make_problem();
-    }
-    return problem_->solve(known);
+    if (const std::optional<BoundaryState> state = problem_->solve(known, tolerance))
+      return *state;
+    problem_ = make_problem(false);
+    return problem_->solve(known, tolerance).value();
   }
 
   BoundaryValues BoundaryModel::values(const BoundaryState &state) const

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <abut/bem/boundary_problem.h>
-#include <abut/bem/fast_boundary_problem.h>
 #include <abut/bem/interior_stress.h>
 #include <abut/bodies/boundary_elements/boundary_accuracy.h>
 #include <abut/bodies/boundary_elements/boundary_cost.h>
@@ -31,7 +30,7 @@ namespace abut
     /// Throws ComputationError.
     std::vector<Stress> stress(const BodySolution &solution, const std::vector<Vector2> &points,
                                double tolerance, BoundaryCost &cost) const;
-    bool is_fast() const { return fast_problem_ || evaluates_fast(); }
+    bool is_fast() const { return solves_fast() || evaluates_fast(); }
 
     /// Tractions and displacements on the boundary, scaled (see BoundaryState), less the uniform force's.
     BoundaryState solve(const BodySolution &solution, double tolerance) const;
@@ -41,13 +40,16 @@ namespace abut
     BoundaryValues values(const BoundaryState &state) const;
 
     const BoundarySpace &space() const { return *space_; }
-    Eigen::Index n_unknowns() const { return n_unknowns_; }
+    Eigen::Index n_unknowns() const { return problem_ ? problem_->n_unknowns() : 0; }
 
   private:
+    bool solves_fast() const
+    {
+      return accuracy_.solves_fast(static_cast<std::size_t>(space_->n_coefficients()));
+    }
     bool evaluates_fast() const { return accuracy_.evaluates_fast(space_->elements().size()); }
     GalerkinRule rule() const;
-    /// Makes the problem with matrices.
-    void make_problem() const;
+    std::unique_ptr<BoundaryProblem> make_problem(bool fast) const;
     void smooth(Eigen::MatrixXcd &slope) const;
     /// The known traction and, at supports, the one with the finite elements' reactions.
     BoundaryState finite_element_state(const BodySolution &solution) const;
@@ -60,9 +62,7 @@ namespace abut
     std::unique_ptr<GradedSides> sides_;
     std::unique_ptr<BoundarySpace> space_;
     std::unique_ptr<BoundaryData> data_;
-    // One of them, none with the trace of the finite elements; both where the iteration fails.
-    std::unique_ptr<FastBoundaryProblem> fast_problem_;
+    /// None with the trace of the finite elements; another where an iteration fails.
     mutable std::unique_ptr<BoundaryProblem> problem_;
-    Eigen::Index n_unknowns_ = 0;
   };
 } // namespace abut
