@@ -41,7 +41,23 @@ namespace abut
       return ends;
     }
 
-    /// Legendre coefficients (rows) of functions that `values` evaluates at eta, a column each.
+    /// Zero where there is nothing but rounding; rows keep their sums, the coefficients of a constant.
+    Eigen::MatrixXd without_rounding(const Eigen::MatrixXd &coefficients)
+    {
+      constexpr double round_off = 1e-14;
+      const double least = round_off * coefficients.cwiseAbs().maxCoeff();
+      Eigen::MatrixXd clean = (coefficients.array().abs() < least).select(0., coefficients);
+      for (Index n = 0; n < clean.rows(); ++n)
+      {
+        Index largest = 0;
+        if (clean.row(n).cwiseAbs().maxCoeff(&largest) > 0.)
+          clean(n, largest) += coefficients.row(n).sum() - clean.row(n).sum();
+      }
+      return clean;
+    }
+
+    /// Legendre coefficients (rows) of functions that `values` evaluates at eta, a column each; zero where
+    /// there is nothing but rounding.
     template <typename Values>
     Eigen::MatrixXd legendre_coefficients(const unsigned int degree, const Index n_functions,
                                           const Values &values)
@@ -56,7 +72,7 @@ namespace abut
           coefficients.row(n) +=
               (2. * static_cast<double>(n) + 1.) * rule.weights[q] * p[static_cast<std::size_t>(n)] * f;
       }
-      return coefficients;
+      return without_rounding(coefficients);
     }
 
     /// Places an element's block for both components.
@@ -67,9 +83,10 @@ namespace abut
       for (Index component = 0; component < 2; ++component)
         for (Index n = 0; n < block.rows(); ++n)
           for (Index j = 0; j < block.cols(); ++j)
-            entries.emplace_back(static_cast<int>(component * n_coefficients + element * block.rows() + n),
-                                 static_cast<int>(component * n_nodes + nodes[static_cast<std::size_t>(j)]),
-                                 block(n, j));
+            if (block(n, j) != 0.)
+              entries.emplace_back(static_cast<int>(component * n_coefficients + element * block.rows() + n),
+                                   static_cast<int>(component * n_nodes + nodes[static_cast<std::size_t>(j)]),
+                                   block(n, j));
     }
   } // namespace
 

@@ -59,11 +59,14 @@ namespace abut
       return all;
     }
 
+    /// Of components of unit vectors; what is none but for rounding is left out.
     Eigen::SparseMatrix<double> from_columns(const Index rows, const Index columns,
                                              const std::vector<Eigen::Triplet<double>> &entries)
     {
+      constexpr double round_off = 1e-15;
       Eigen::SparseMatrix<double> matrix(rows, columns);
       matrix.setFromTriplets(entries.begin(), entries.end());
+      matrix.prune(1., round_off);
       return matrix;
     }
   } // namespace

@@ -4,24 +4,51 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace abut
 {
   namespace
   {
-    /// left^T [potential of every column], the potential of column j added by add(j, potential).
-    template <typename Add>
-    Eigen::MatrixXd tested_potentials(const LegendreBasis &left, const Eigen::Index n_columns, const Add &add)
+    using Index = Eigen::Index;
+
+    /// For every column the first row, of either component, in which it or a later one has an entry.
+    std::vector<Index> first_rows(const LegendreBasis &basis, const Index n)
     {
+      std::vector<Index> rows(static_cast<std::size_t>(basis.cols()));
+      Index first = n;
+      for (Index j = basis.cols(); j-- > 0;)
+      {
+        for (LegendreBasis::InnerIterator entry(basis, j); entry; ++entry)
+          first = std::min(first, entry.row() % n);
+        rows[static_cast<std::size_t>(j)] = first;
+      }
+      return rows;
+    }
+
+    /// left^T [potential of every column], the potential of column j added by add(j, first, potential), in
+    /// the rows of either component from `first` on. Of a symmetric result half is computed.
+    template <typename Add>
+    Eigen::MatrixXd tested_potentials(const LegendreBasis &left, const Index n_columns,
+                                      const bool is_symmetric, const Add &add)
+    {
+      const Index n = left.rows() / 2;
+      const std::vector<Index> needed = first_rows(left, n);
       Eigen::MatrixXd result = large_matrix(left.cols(), n_columns);
       Eigen::VectorXd potential(left.rows());
-      for (Eigen::Index j = 0; j < n_columns; ++j)
+      for (Index j = 0; j < n_columns; ++j)
       {
-        potential.setZero();
-        add(j, potential);
-        result.col(j) = left.transpose() * potential;
+        const Index first_test = is_symmetric ? j : 0, n_tests = left.cols() - first_test,
+                    first = is_symmetric ? needed[static_cast<std::size_t>(j)] : 0;
+        potential.head(n).tail(n - first).setZero();
+        potential.tail(n - first).setZero();
+        add(j, first, potential);
+        result.col(j).tail(n_tests).noalias() = left.rightCols(n_tests).transpose() * potential;
       }
+      if (is_symmetric)
+        complete_symmetric(result);
       return result;
     }
   } // namespace
@@ -32,48 +59,63 @@ namespace abut
     AssertDimension(kernels_.log.rows(), kernels_.lengths.size() * (kernels_.degree + 1));
   }
 
-  void LayerOperators::add(const Kernel &kernel, const Eigen::Index component, const Eigen::Index row,
-                           const double value, Eigen::VectorXd &potential) const
+  void LayerOperators::add(const Kernel &kernel, const Index component, const Index row, const double value,
+                           const Index first, Eigen::VectorXd &potential) const
   {
-    const Eigen::Index n = kernels_.log.rows(), size = kernels_.degree + 1;
+    const Index n = kernels_.log.rows(), size = kernels_.degree + 1, n_rows = n - first;
     const double even = component == 0 ? kernel.even : -kernel.even;
     auto same = potential.segment(component * n, n);
-    same += value * (kernel.log * kernels_.log.col(row) + even * kernels_.even_real.col(row));
-    potential.segment((1 - component) * n, n) -= (value * kernel.even) * kernels_.even_imag.col(row);
+    same.tail(n_rows) += value * (kernel.log * kernels_.log.col(row).tail(n_rows) +
+                                  even * kernels_.even_real.col(row).tail(n_rows));
+    potential.segment((1 - component) * n + first, n_rows) -=
+        (value * kernel.even) * kernels_.even_imag.col(row).tail(n_rows);
     if (row % size == 0)
-      for (Eigen::Index m = 0; m < kernels_.lengths.size(); ++m)
+      for (Index m = (first + size - 1) / size; m < kernels_.lengths.size(); ++m)
         same[m * size] += value * kernel.even * kernels_.lengths[row / size] * kernels_.lengths[m];
   }
 
-  void LayerOperators::add(const Kernel &kernel, const LegendreBasis &basis, const Eigen::Index column,
-                           Eigen::VectorXd &potential) const
+  void LayerOperators::add(const Kernel &kernel, const LegendreBasis &basis, const Index column,
+                           const Index first, Eigen::VectorXd &potential) const
   {
-    const Eigen::Index n = kernels_.log.rows();
+    const Index n = kernels_.log.rows();
     for (LegendreBasis::InnerIterator entry(basis, column); entry; ++entry)
-      add(kernel, entry.row() / n, entry.row() % n, entry.value(), potential);
+      add(kernel, entry.row() / n, entry.row() % n, entry.value(), first, potential);
   }
 
-  void LayerOperators::add_double_layer(const DisplacementBasis &basis, const Eigen::Index column,
+  void LayerOperators::add_double_layer(const DisplacementBasis &basis, const Index column,
                                         Eigen::VectorXd &potential) const
   {
-    const Eigen::Index n = kernels_.log.rows();
+    const Index n = kernels_.log.rows();
     for (LegendreBasis::InnerIterator entry(basis.values, column); entry; ++entry)
       potential.segment(entry.row() / n * n, n) += entry.value() * kernels_.double_layer.col(entry.row() % n);
     for (LegendreBasis::InnerIterator entry(basis.slopes, column); entry; ++entry)
     {
-      const Eigen::Index component = entry.row() / n;
+      const Index component = entry.row() / n;
       add(elastic_.rotated, 1 - component, entry.row() % n, component == 0 ? entry.value() : -entry.value(),
-          potential);
+          0, potential);
     }
+  }
+
+  Eigen::MatrixXd LayerOperators::symmetric(const Kernel &kernel, const LegendreBasis &left,
+                                            const LegendreBasis &right) const
+  {
+    AssertDimension(left.rows(), 2 * kernels_.log.rows());
+    AssertDimension(right.rows(), 2 * kernels_.log.rows());
+    return tested_potentials(left, right.cols(), &left == &right,
+                             [&](const Index j, const Index first, Eigen::VectorXd &potential) {
+                               add(kernel, right, j, first, potential);
+                             });
   }
 
   Eigen::MatrixXd LayerOperators::single_layer(const LegendreBasis &left, const LegendreBasis &right) const
   {
-    AssertDimension(left.rows(), 2 * kernels_.log.rows());
-    AssertDimension(right.rows(), 2 * kernels_.log.rows());
-    return tested_potentials(left, right.cols(), [&](const Eigen::Index j, Eigen::VectorXd &potential) {
-      add(elastic_.single, right, j, potential);
-    });
+    return symmetric(elastic_.single, left, right);
+  }
+
+  Eigen::MatrixXd LayerOperators::hypersingular(const DisplacementBasis &left,
+                                                const DisplacementBasis &right) const
+  {
+    return symmetric(elastic_.hypersingular, left.slopes, right.slopes);
   }
 
   Eigen::MatrixXd LayerOperators::double_layer(const LegendreBasis &left,
@@ -83,19 +125,8 @@ namespace abut
     AssertDimension(right.values.rows(), 2 * kernels_.log.rows());
     AssertDimension(right.slopes.cols(), right.values.cols());
     return tested_potentials(
-        left, right.values.cols(),
-        [&](const Eigen::Index j, Eigen::VectorXd &potential) { add_double_layer(right, j, potential); });
-  }
-
-  Eigen::MatrixXd LayerOperators::hypersingular(const DisplacementBasis &left,
-                                                const DisplacementBasis &right) const
-  {
-    AssertDimension(left.slopes.rows(), 2 * kernels_.log.rows());
-    AssertDimension(right.slopes.rows(), 2 * kernels_.log.rows());
-    return tested_potentials(left.slopes, right.slopes.cols(),
-                             [&](const Eigen::Index j, Eigen::VectorXd &potential) {
-                               add(elastic_.hypersingular, right.slopes, j, potential);
-                             });
+        left, right.values.cols(), false,
+        [&](const Index j, Index, Eigen::VectorXd &potential) { add_double_layer(right, j, potential); });
   }
 
   LegendreBasis LayerOperators::mass(const LegendreBasis &left, const LegendreBasis &right) const

@@ -142,6 +142,16 @@ TEST(BemSpace, HoldsTheBoundaryOfAPlate)
     }
 }
 
+TEST(BemSpace, StoresNothingThatIsZero)
+{
+  // Legendre coefficients of eta (eta - 1)/2, 1 - eta^2, eta (eta + 1)/2 and of their slopes.
+  BodyDescription plate = turned_plate(CellType::quadrilaterals, 2, 1.5);
+  const FiniteElementBody body(plate, {});
+  const BoundarySpace space(sides_of(body), 2, 2);
+  EXPECT_EQ(space.displacements().values.nonZeros(), 2 * space.n_elements() * (3 + 2 + 3));
+  EXPECT_EQ(space.displacements().slopes.nonZeros(), 2 * space.n_elements() * (2 + 1 + 2));
+}
+
 TEST(BemSpace, HoldsTheCurvesOfARing)
 {
   for (const unsigned int degree : {1u, 2u})

@@ -59,11 +59,15 @@ namespace abut
   private:
     using Kernel = ElasticKernels::Kernel;
 
-    /// Adds the potential of a density: `value` times the Legendre polynomial of the row, in one component.
-    void add(const Kernel &kernel, Eigen::Index component, Eigen::Index row, double value,
+    /// <left, potential of right>; half of it is computed where both are the same object.
+    Eigen::MatrixXd symmetric(const Kernel &kernel, const LegendreBasis &left,
+                              const LegendreBasis &right) const;
+    /// Adds the potential of a density, `value` times the Legendre polynomial of the row, in one component:
+    /// in the rows of both components from `first` on.
+    void add(const Kernel &kernel, Eigen::Index component, Eigen::Index row, double value, Eigen::Index first,
              Eigen::VectorXd &potential) const;
     /// Of a column of a basis.
-    void add(const Kernel &kernel, const LegendreBasis &basis, Eigen::Index column,
+    void add(const Kernel &kernel, const LegendreBasis &basis, Eigen::Index column, Eigen::Index first,
              Eigen::VectorXd &potential) const;
     void add_double_layer(const DisplacementBasis &basis, Eigen::Index column,
                           Eigen::VectorXd &potential) const;
