@@ -9,27 +9,50 @@
 
 namespace abut
 {
-  CellErrors compare(const BodySolution &solution, const std::vector<Stress> &better)
+  namespace
   {
-    const std::vector<CellInfo> cells = solution.body.cells();
+    StressVisitor collector(OwnStress &own)
+    {
+      return [&own](const SamplePoint &point, const Stress &stress) {
+        own.points.push_back(point);
+        own.values.push_back(stress);
+      };
+    }
+  } // namespace
+
+  OwnStress own_stress(const BodySolution &solution)
+  {
+    OwnStress own;
+    solution.body.visit_stress(solution.deformation, SamplePoints::comparison, collector(own));
+    return own;
+  }
+
+  OwnStress own_stress_at_corners(const BodySolution &solution)
+  {
+    OwnStress own;
+    solution.body.visit_corner_stress(solution.deformation, collector(own));
+    return own;
+  }
+
+  CellErrors compare(const Body &body, const OwnStress &own, const std::vector<Stress> &better)
+  {
+    AssertDimension(own.points.size(), better.size());
+    const std::vector<CellInfo> cells = body.cells();
     CellErrors errors;
     errors.stress = errors.energy = errors.areas =
-        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(solution.body.counts().cells));
-    std::size_t i = 0;
-    const auto add = [&](const SamplePoint &point, const Stress &own) {
-      AssertIndexRange(i, better.size());
-      const Stress &stress = better[i++];
-      const Stress difference = stress - own;
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(body.counts().cells));
+    for (std::size_t i = 0; i < better.size(); ++i)
+    {
+      const SamplePoint &point = own.points[i];
+      const Stress difference = better[i] - own.values[i];
       const auto cell = static_cast<Eigen::Index>(point.cell);
       const Material &material = cells[point.cell].material;
       errors.stress[cell] += point.weight * difference.square();
       errors.energy[cell] += point.weight * material.energy_density(difference);
       errors.areas[cell] += point.weight;
-      errors.stress_norm += point.weight * stress.square();
-      errors.energy_norm += point.weight * material.energy_density(stress);
-    };
-    solution.body.visit_stress(solution.deformation, SamplePoints::comparison, add);
-    AssertDimension(i, better.size());
+      errors.stress_norm += point.weight * better[i].square();
+      errors.energy_norm += point.weight * material.energy_density(better[i]);
+    }
     errors.better = better;
     errors.stress = errors.stress.cwiseSqrt();
     errors.energy = errors.energy.cwiseSqrt();
@@ -38,17 +61,26 @@ namespace abut
     return errors;
   }
 
-  void compare_at_corners(const BodySolution &solution, const std::vector<Stress> &better, CellErrors &errors)
+  CellErrors compare(const BodySolution &solution, const std::vector<Stress> &better)
   {
-    const std::vector<CellInfo> cells = solution.body.cells();
+    return compare(solution.body, own_stress(solution), better);
+  }
+
+  void compare_at_corners(const Body &body, const OwnStress &own, const std::vector<Stress> &better,
+                          CellErrors &errors)
+  {
+    AssertDimension(own.points.size(), better.size());
+    if (better.empty())
+      return;
+    const std::vector<CellInfo> cells = body.cells();
     std::map<unsigned int, std::pair<double, double>> squares; // of the stress and of the energy, by cell
-    std::size_t i = 0;
-    solution.body.visit_corner_stress(solution.deformation, [&](const SamplePoint &point, const Stress &own) {
-      AssertIndexRange(i, better.size());
-      const Stress difference = better[i++] - own;
+    for (std::size_t i = 0; i < better.size(); ++i)
+    {
+      const SamplePoint &point = own.points[i];
+      const Stress difference = better[i] - own.values[i];
       squares[point.cell].first += point.weight * difference.square();
       squares[point.cell].second += point.weight * cells[point.cell].material.energy_density(difference);
-    });
+    }
     for (const auto &[cell, square] : squares)
     {
       errors.stress[cell] = std::sqrt(square.first);
