@@ -112,6 +112,8 @@ namespace abut
 
   Vector2 Trace::tangent(const Segment &segment, const double s) const
   {
+    if (segment.points.size() == 2)
+      return segment.points[1] - segment.points[0];
     return combine(geometry_.derivatives(s), segment.points);
   }
 

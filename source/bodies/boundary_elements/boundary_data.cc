@@ -91,6 +91,8 @@ namespace abut
   void BoundaryData::add_prescribed(const SideConditions &conditions, const Trace &side,
                                     const dealii::types::boundary_id boundary, std::size_t first_element)
   {
+    if (!conditions.has_traction(boundary))
+      return;
     const bool is_sampled = conditions.traction_varies(boundary);
     for (const Segment &segment : side.segments())
       add_moments(first_element++,

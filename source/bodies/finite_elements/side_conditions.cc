@@ -51,6 +51,13 @@ namespace abut
     return sum;
   }
 
+  bool SideConditions::has_traction(const dealii::types::boundary_id boundary) const
+  {
+    const std::vector<const Condition *> &all = conditions(boundary);
+    return std::any_of(all.begin(), all.end(),
+                       [](const Condition *condition) { return !is_support(condition->kind); });
+  }
+
   bool SideConditions::traction_varies(const dealii::types::boundary_id boundary) const
   {
     const std::vector<const Condition *> &all = conditions(boundary);

@@ -21,6 +21,8 @@ namespace abut
 
     /// The prescribed traction at a point: force per area, world frame; zero on free sides.
     Vector2 traction(dealii::types::boundary_id boundary, const Vector2 &point, const Vector2 &normal) const;
+    /// Whether one is prescribed.
+    bool has_traction(dealii::types::boundary_id boundary) const;
     /// Whether that differs from place to place, but for the normal of a pressure.
     bool traction_varies(dealii::types::boundary_id boundary) const;
 
