@@ -11,7 +11,7 @@ namespace abut
   {
     using Index = Eigen::Index;
 
-    constexpr std::size_t kernel_leaf = 16; // elements
+    constexpr std::size_t kernel_leaf = 32; // elements
 
     /// Blocks of elements in the order of the tree, or back.
     Eigen::VectorXcd into_tree(const Eigen::VectorXcd &x, const ClusterTree &tree, const Index size)

@@ -17,7 +17,7 @@ namespace abut
 
     constexpr double convergence = .4;
     constexpr std::size_t points_together = 4;   // consecutive points that are told apart near elements only
-    constexpr std::size_t leaf_members = 8;      // groups of them
+    constexpr std::size_t leaf_members = 16;     // groups of them
     constexpr std::size_t worth_a_thread = 1024; // groups of them
     constexpr Index column_a = 0, column_b = 1;  // of a series
 

@@ -43,9 +43,11 @@ namespace abut
     // Not more than the distance, and cheap.
     double apart = .5 * (std::sqrt(std::norm((a.start - b.start) + (a.end - b.end))) - a.length - b.length);
     if (far_.tier(apart, longest) < 0)
+    {
       apart = distance(a, b);
-    if (far_.tier(apart, longest) < 0)
-      return false;
+      if (far_.tier(apart, longest) < 0)
+        return false;
+    }
     const auto first = static_cast<std::size_t>(far_.tier(apart, a.length)),
                second = static_cast<std::size_t>(far_.tier(apart, b.length)),
                tiers = first * far_.n_tiers() + second;

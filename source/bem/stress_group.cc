@@ -116,7 +116,8 @@ namespace abut
       if (from > farthest)
         continue;
       const GaussRule gauss(n);
-      rules.push_back({std::max(from, closed_distance), 2. * gauss.points.array() - 1., 2. * gauss.weights});
+      const double distance = std::max(from, closed_distance);
+      rules.push_back({distance, distance * distance, 2. * gauss.points.array() - 1., 2. * gauss.weights});
     }
   }
 
@@ -205,9 +206,9 @@ namespace abut
                                 StressSums &sums) const
   {
     const BoundaryElement &element = elements_[lane];
-    const double distance = std::abs(z - element.point(0.)) / element.length;
+    const double square = std::norm(z - element.point(0.)) / (element.length * element.length);
     std::size_t r = 0;
-    while (r < rules.rules.size() && distance < rules.rules[r].from_distance)
+    while (r < rules.rules.size() && square < rules.rules[r].from_square)
       ++r;
     if (r == rules.rules.size())
       return add_closed_stress(element, densities_[lane], rules.degree, z, sums);

@@ -46,7 +46,7 @@ namespace abut
 
     struct Rule
     {
-      double from_distance;
+      double from_distance, from_square;
       Eigen::VectorXd points; ///< on [-1, 1]
       Eigen::VectorXd weights;
     };
