@@ -93,7 +93,7 @@ namespace
     GlueErrors errors{std::sqrt(error / norm), std::sqrt(square_error / square), 0.};
 
     const Trace slave = body.space().trace(body.space().glued_sides().front().slave);
-    const Eigen::VectorXd all = body.glue_forces(body.deformation(none, 0.), none);
+    const Eigen::VectorXd all = body.glue_forces(body.deformation(none, 0.), none).front();
     Eigen::VectorXd forces(2 * static_cast<Eigen::Index>(slave.n_nodes()));
     for (std::size_t node = 0; node < slave.n_nodes(); ++node)
       for (std::size_t component = 0; component < 2; ++component)

@@ -256,3 +256,28 @@ TEST(GluedParts, FloatOnWhatCarriesThem)
   expect_balance(answer);
   EXPECT_NEAR(contact_value(answer, "c", "normal_force"), 4., 1e-9);
 }
+
+TEST(GluedParts, CornersGluedOnEitherSideAreNotLoadedTwice)
+{
+  // Three parts around (1, 1) under one linear displacement: nothing is wrong, and fe-be has to say so. It
+  // estimated 12 %, or refused where only the glue holds a part.
+  const std::string low = "l.bottom + r.bottom: displacement: 0.2*x, 0.5*x; l.left: displacement: -0.3*y, "
+                          "-0.4*y; r.right: displacement: 0.2*x - 0.3*y, 0.5*x - 0.4*y; ",
+                    held = "t.left: displacement: -0.3*y, -0.4*y; t.top + t.right: displacement: "
+                           "0.2*x - 0.3*y, 0.5*x - 0.4*y",
+                    pulled = "t.left: traction: -1/26, -2/26; t.right: traction: 1/26, 2/26; "
+                             "t.top: traction: 2/26, -11/26";
+  for (const std::string &conditions : {low + held, low + pulled})
+    for (const std::string degree : {"1", "2"})
+    {
+      const Answer answer =
+          run_text("set Bodies = b\nsubsection Part l\n set Size = 1, 1\n set Cells = 4, 4\nend\n"
+                   "subsection Part r\n set Size = 2, 1\n set Cells = 6, 3\n set Shift = 1, 0\nend\n"
+                   "subsection Part t\n set Size = 3, 1\n set Cells = 10, 3\n set Shift = 0, 1\nend\n"
+                   "subsection Body b\n set Shape = glued parts\n set Parts = l, r, t\n set Conditions = " +
+                       conditions + "\nend\n",
+                   {"Adaptation/Estimator=fe-be", "Discretisation/Degree=" + degree});
+      ASSERT_EQ(answer.status, 0) << answer.err;
+      EXPECT_LT(answer.summary["error"]["discretisation"].get<double>(), 1e-4) << degree;
+    }
+}

@@ -175,7 +175,7 @@ TEST(Mortar, TheGlueBalancesThePiecesOnRefinedMeshes)
       for (int pass = 0; pass < 2; ++pass)
         body.adapt(random_marks_for(body, random), {});
       const Eigen::VectorXd none = Eigen::VectorXd::Zero(0), u = untouched(body),
-                            forces = body.glue_forces(u, none);
+                            forces = body.glue_forces(u, none).front();
       ASSERT_TRUE(body.space().has_hanging_nodes());
       // Of the upper piece: the load on top, 2 along x and -4 + 2 along y; of the lower the opposite.
       for (const bool is_slave : {true, false})

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace abut
 {
@@ -23,15 +22,6 @@ namespace abut
     Vector2 element_normal(const BoundaryElement &element)
     {
       return Vector2(element.direction.imag(), -element.direction.real());
-    }
-
-    /// Each once.
-    std::set<dealii::types::boundary_id> glued_boundaries(const Space &space)
-    {
-      std::set<dealii::types::boundary_id> boundaries;
-      for (const GluedSides &pair : space.glued_sides())
-        boundaries.insert({pair.slave, pair.master});
-      return boundaries;
     }
 
     /// Scaled as boundary elements see it: force times length by the shear modulus.
@@ -74,17 +64,19 @@ namespace abut
             conditions.supported(boundaries[i], element_normal(space.elements()[supported_.size()])));
       add_prescribed(conditions, side, boundaries[i], first_element_[i]);
     }
-    const auto add_loaded = [&](const dealii::types::boundary_id boundary,
-                                const std::optional<std::size_t> contact) {
+    const auto add_loaded = [&](const dealii::types::boundary_id boundary, const bool is_glued,
+                                const std::size_t number) {
       const auto found = std::find(boundaries.begin(), boundaries.end(), boundary);
       if (found != boundaries.end()) // else of another piece
-        loaded_.push_back(
-            {body.space().trace(boundary), static_cast<std::size_t>(found - boundaries.begin()), contact});
+        loaded_.push_back({body.space().trace(boundary), static_cast<std::size_t>(found - boundaries.begin()),
+                           is_glued, number});
     };
     for (std::size_t k = 0; k < body.contact_sides().size(); ++k)
-      add_loaded(body.contact_boundary(k), k);
-    for (const auto boundary : glued_boundaries(body.space()))
-      add_loaded(boundary, {});
+      add_loaded(body.contact_boundary(k), false, k);
+    const std::vector<GluedSides> &glued = body.space().glued_sides();
+    for (std::size_t k = 0; k < glued.size(); ++k)
+      for (const auto boundary : {glued[k].slave, glued[k].master})
+        add_loaded(boundary, true, k);
     take_off_uniform_force();
   }
 
@@ -162,24 +154,23 @@ namespace abut
   {
     BoundaryState state{prescribed_,
                         space_.trace_of(sides_.extended(solution.deformation)) - uniform_displacement_};
-    Eigen::VectorXd glue_forces;
-    if (!body_.space().glued_sides().empty())
-      glue_forces = body_.glue_forces(solution.deformation, solution.contact_forces);
+    const std::vector<Eigen::VectorXd> glue_forces =
+        body_.glue_forces(solution.deformation, solution.contact_forces);
     for (const LoadedSide &side : loaded_)
       add_load(side, applied_traction(side.trace, forces_on(side, solution, glue_forces)), state.traction);
     return state;
   }
 
   Eigen::VectorXd BoundaryData::forces_on(const LoadedSide &side, const BodySolution &solution,
-                                          const Eigen::VectorXd &glue_forces) const
+                                          const std::vector<Eigen::VectorXd> &glue_forces) const
   {
-    if (side.contact)
-      return body_.of_side(solution.contact_forces, *side.contact);
+    if (!side.is_glued)
+      return body_.of_side(solution.contact_forces, side.number);
     Eigen::VectorXd forces(2 * static_cast<Index>(side.trace.n_nodes()));
     for (std::size_t node = 0; node < side.trace.n_nodes(); ++node)
       for (std::size_t component = 0; component < 2; ++component)
         forces[static_cast<Index>(2 * node + component)] =
-            glue_forces[side.trace.node_dofs()[node][component]];
+            glue_forces[side.number][side.trace.node_dofs()[node][component]];
     return forces;
   }
 

@@ -23,13 +23,19 @@ namespace abut
     return space_->expansion().transpose() * forces;
   }
 
-  Eigen::VectorXd FiniteElementBody::glue_forces(const Eigen::VectorXd &deformation,
-                                                 const Eigen::VectorXd &contact_forces) const
+  std::vector<Eigen::VectorXd> FiniteElementBody::glue_forces(const Eigen::VectorXd &deformation,
+                                                              const Eigen::VectorXd &contact_forces) const
   {
     // Slaves have no supports: all that is missing there, or at nodes that hang on them, comes from the glue,
     // which takes it from the others.
-    return space_->glue_rows().transpose() *
-           (space_->hanging_node_expansion().transpose() * missing_forces(deformation, contact_forces));
+    std::vector<Eigen::VectorXd> forces;
+    if (space_->glued_sides().empty())
+      return forces;
+    const Eigen::VectorXd missing =
+        space_->hanging_node_expansion().transpose() * missing_forces(deformation, contact_forces);
+    for (const Eigen::SparseMatrix<double> &rows : space_->glue_rows())
+      forces.emplace_back(rows.transpose() * missing);
+    return forces;
   }
 
   double FiniteElementBody::rigid_side_force(const Eigen::VectorXd &deformation,

@@ -164,7 +164,7 @@ namespace abut
     dealii::AffineConstraints<double> constraints(hanging);
     hanging.close();
     has_hanging_nodes_ = hanging.n_constraints() > 0;
-    std::vector<Eigen::Triplet<double>> rows;
+    glue_rows_.clear();
     for (const GluedSides &pair : glued_)
     {
       ++n_mortars_;
@@ -176,12 +176,9 @@ namespace abut
             pair.master_name +
             " where cells were split: they are too far apart between the nodes they had; let "
             "both follow one curve, or place them nearer");
+      std::vector<Eigen::Triplet<double>> rows;
       add_mortar(slave, master, make_mortar(overlap, joints_.mortar.multipliers), constraints, rows);
-    }
-    if (!glued_.empty())
-    {
-      glue_rows_.resize(n_dofs(), n_dofs());
-      glue_rows_.setFromTriplets(rows.begin(), rows.end());
+      glue_rows_.emplace_back(n_dofs(), n_dofs()).setFromTriplets(rows.begin(), rows.end());
     }
     constraints.close();
     has_constraints_ = constraints.n_constraints() > 0;

@@ -56,13 +56,14 @@ namespace abut
     struct LoadedSide
     {
       Trace trace;
-      std::size_t place;                       ///< among all sides
-      std::optional<std::size_t> contact = {}; ///< among the body's contact sides; none: glued
+      std::size_t place; ///< among all sides
+      bool is_glued;
+      std::size_t number; ///< among the body's contact sides, or its pairs of glued sides
     };
 
     /// The nodal forces on a side.
     Eigen::VectorXd forces_on(const LoadedSide &side, const BodySolution &solution,
-                              const Eigen::VectorXd &glue_forces) const;
+                              const std::vector<Eigen::VectorXd> &glue_forces) const;
     void add_load(const LoadedSide &side, const Eigen::VectorXd &traction, Eigen::VectorXd &sum) const;
     void add_prescribed(const SideConditions &conditions, const Trace &side,
                         dealii::types::boundary_id boundary, std::size_t first_element);

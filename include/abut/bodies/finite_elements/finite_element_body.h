@@ -104,10 +104,10 @@ namespace abut
     Eigen::VectorXd support_forces(const Eigen::VectorXd &deformation,
                                    const Eigen::VectorXd &contact_forces) const;
 
-    /// What the glue adds to loads, contact forces and supports at the nodes of glued sides, at every
-    /// unknown.
-    Eigen::VectorXd glue_forces(const Eigen::VectorXd &deformation,
-                                const Eigen::VectorXd &contact_forces) const;
+    /// What the glue of each of the space's glued_sides() adds to loads, contact forces and supports at the
+    /// nodes of both sides, at every unknown. One by one: a corner of a part may be glued on either side.
+    std::vector<Eigen::VectorXd> glue_forces(const Eigen::VectorXd &deformation,
+                                             const Eigen::VectorXd &contact_forces) const;
 
   private:
     /// K u - f, what is missing to balance at every unknown.

@@ -53,8 +53,9 @@ namespace abut
     /// Glues sides, on this mesh and those to come. Numbers of unknowns stay.
     void glue(std::vector<GluedSides> sides);
     const std::vector<GluedSides> &glued_sides() const { return glued_; }
-    /// u_s - D^-1 (M u_m - E u_e) of every slave unknown, in its own row; the other rows are empty.
-    const Eigen::SparseMatrix<double> &glue_rows() const { return glue_rows_; }
+    /// u_s - D^-1 (M u_m - E u_e) of every slave unknown of each of the glued_sides(), in its own row; the
+    /// other rows are empty.
+    const std::vector<Eigen::SparseMatrix<double>> &glue_rows() const { return glue_rows_; }
 
     /// Whether cells and finer ones have displacements of their own where they share vertices.
     bool has_free_vertices() const;
@@ -113,7 +114,8 @@ namespace abut
     bool has_hanging_nodes_ = false, has_constraints_ = false;
     unsigned int n_meshes_ = 0, n_mortars_ = 0;
     Eigen::SparseMatrix<double> expansion_;
-    Eigen::SparseMatrix<double> hanging_expansion_, glue_rows_; // of glued bodies
+    Eigen::SparseMatrix<double> hanging_expansion_; // of glued bodies
+    std::vector<Eigen::SparseMatrix<double>> glue_rows_;
   };
 
   /// Gauss rule with n points in each direction of a quadrilateral; for triangles the one of like accuracy.
