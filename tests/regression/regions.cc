@@ -5,6 +5,7 @@
 
 #include "gmsh_files.h"
 #include "program.h"
+#include <cmath>
 
 using namespace abut::testing;
 
@@ -97,4 +98,74 @@ TEST(Regions, ARoundInterfaceBetweenMaterialsIsFollowed)
   EXPECT_EQ(warning_codes(meshed), std::multiset<std::string>{"facets"}) << meshed.err;
   expect_refused(run_text(scene, {"Body a/Regions=lining: soft; 2: soft"}),
                  {"`2` (Regions)", "names already"});
+}
+
+namespace
+{
+  /// A core of radius 1 in a lining of radius 2 under u = -1e-3 (x, y) at the rim; nu = .3.
+  struct CoreInLining
+  {
+    std::string core, lining; // moduli
+    double energy;            // Lame
+  };
+  const std::vector<CoreInLining> cores = {{"100", "1", 3.52349046e-5}, {"0.001", "100", 1.11538637e-3}};
+
+  std::string core_scene(const CoreInLining &of)
+  {
+    const std::string geometry =
+        "SetFactory(\"OpenCASCADE\");\nDisk(1) = {0, 0, 0, 1, 1};\nDisk(2) = {0, 0, 0, 2, 2};\n"
+        "BooleanFragments{ Surface{2}; Delete; }{ Surface{1}; Delete; }\n"
+        "Physical Surface(\"core\") = {1}; Physical Surface(\"lining\") = {2};\n"
+        "rim() = Abs(CombinedBoundary{ Surface{:}; }); Physical Curve(\"rim\") = rim();\n"
+        "MeshSize{:} = 0.5;\n";
+    return "set Bodies = a\nset Materials = outside\nsubsection Material outside\n set Young modulus = " +
+           of.lining + "\nend\nsubsection Body a\n set Mesh file = " + temporary_file("core.geo", geometry) +
+           "\n set Young modulus = " + of.core +
+           "\n set Regions = lining: outside\n set Adapt = true\n"
+           " set Conditions = rim: displacement: -0.001*x, -0.001*y\nend\n";
+  }
+
+  std::string glued_core_scene(const CoreInLining &of)
+  {
+    return "set Bodies = a\nsubsection Part core\n set Shape = disc\n set Size = 1\n set Cells = 4, 3\n"
+           " set Young modulus = " +
+           of.core +
+           "\nend\nsubsection Part lining\n set Shape = ring\n set Size = 1, 2\n set Cells = 6, 4\n"
+           " set Young modulus = " +
+           of.lining +
+           "\nend\nsubsection Body a\n set Shape = glued parts\n set Parts = core, lining\n"
+           " set Conditions = lining.outer: displacement: -0.001*x, -0.001*y\nend\n";
+  }
+
+  double energy_of(const Answer &answer)
+  {
+    return answer.summary["bodies"][0]["energy"].get<double>();
+  }
+} // namespace
+
+TEST(Regions, JumpsBetweenMaterialsAreThoseOfTheStifferOne)
+{
+  // By halves they were estimated to be 45 to 100 times the error.
+  const CoreInLining &soft = cores[1];
+  const auto ratio = [&](const std::string &scene, const std::vector<std::string> &overrides) {
+    const std::vector<std::string> kelly = {"Adaptation/Estimator=kelly", "Adaptation/Maximum passes=1"};
+    const Answer answer = run_text(scene, with(kelly, overrides));
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    return answer.summary["error"]["discretisation"].get<double>() /
+           std::sqrt(energy_of(answer) / soft.energy - 1.);
+  };
+  for (const std::string type : {"quadrilaterals", "triangles"})
+    for (const std::string degree : {"1", "2"})
+    {
+      const double found =
+          ratio(core_scene(soft), {"Body a/Cell type=" + type, "Discretisation/Degree=" + degree});
+      EXPECT_GT(found, .7) << type << degree;
+      EXPECT_LT(found, 1.2) << type << degree;
+    }
+  for (const std::string degree : {"2", "3"}) // the energy of degree 1 is that of a polygon
+  {
+    const double found = ratio(glued_core_scene(soft), {"Discretisation/Degree=" + degree});
+    EXPECT_GT(found, .9) << degree;
+    EXPECT_LT(found, 1.9) << degree;
+  }
 }
