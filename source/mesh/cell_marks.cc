@@ -46,6 +46,41 @@ namespace abut
 
   namespace
   {
+    /// Flags what lies across a border between materials from a cell that is split; whether there was some.
+    bool split_across_borders(const dealii::Triangulation<2>::active_cell_iterator &cell)
+    {
+      bool some = false;
+      for (const unsigned int f : cell->face_indices())
+        if (!cell->at_boundary(f) && cell->neighbor(f)->is_active() &&
+            cell->neighbor(f)->material_id() != cell->material_id())
+        {
+          const auto across = cell->neighbor(f);
+          cell->clear_coarsen_flag();
+          if (cell->refine_flag_set() && !across->refine_flag_set() && across->level() <= cell->level())
+          {
+            across->clear_coarsen_flag();
+            across->set_refine_flag();
+            some = true;
+          }
+        }
+      return some;
+    }
+  } // namespace
+
+  void complete_flags(dealii::Triangulation<2> &triangulation, const bool curved_borders)
+  {
+    for (bool some = true; some;)
+    {
+      triangulation.prepare_coarsening_and_refinement();
+      some = false;
+      if (curved_borders)
+        for (const auto &cell : triangulation.active_cell_iterators())
+          some = split_across_borders(cell) || some;
+    }
+  }
+
+  namespace
+  {
     Vector2 to_vector(const dealii::Point<2> &point)
     {
       return {point[0], point[1]};
@@ -71,7 +106,8 @@ namespace abut
     }
   } // namespace
 
-  void grade(dealii::Triangulation<2> &triangulation, const std::vector<Grading> &gradings)
+  void grade(dealii::Triangulation<2> &triangulation, const std::vector<Grading> &gradings,
+             const bool curved_borders)
   {
     for (unsigned int round = 0;; ++round)
     {
@@ -87,6 +123,7 @@ namespace abut
         }
       if (!some)
         return;
+      complete_flags(triangulation, curved_borders);
       triangulation.execute_coarsening_and_refinement();
     }
   }

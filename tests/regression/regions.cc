@@ -143,6 +143,22 @@ namespace
   }
 } // namespace
 
+TEST(Regions, ARoundBorderStaysRoundWhereMeshesFollowTheError)
+{
+  // Chords beside finer cells had taken .1 % of the energy of degree 3, .2 % the other way round.
+  for (const CoreInLining &of : cores)
+    for (const std::string degree : {"2", "3"})
+    {
+      const Answer answer =
+          run_text(core_scene(of), {"Adaptation/Estimator=kelly", "Adaptation/Marking=fixed fraction",
+                                    "Adaptation/Fraction=0.1", "Adaptation/Maximum passes=4",
+                                    "Discretisation/Degree=" + degree});
+      ASSERT_EQ(answer.status, 0) << answer.err;
+      EXPECT_EQ(answer.summary["bodies"][0]["min_level"], 0);
+      EXPECT_NEAR(energy_of(answer) / of.energy, 1., degree == "2" ? 1e-5 : 1e-7) << of.core << degree;
+    }
+}
+
 TEST(Regions, JumpsBetweenMaterialsAreThoseOfTheStifferOne)
 {
   // By halves they were estimated to be 45 to 100 times the error.

@@ -198,3 +198,32 @@ TEST(MeshGrading, StopsAtTheDeepestLevel)
   grade(mesh->triangulation, {{{1., 1.}, 40}});
   EXPECT_EQ(mesh->triangulation.n_levels(), 31u);
 }
+
+TEST(MeshMarks, CellsAtCurvedBordersBetweenMaterialsAreSplitOnBothSides)
+{
+  for (const CellType type : {CellType::quadrilaterals, CellType::triangles})
+    for (const bool curved : {true, false})
+    {
+      const auto mesh = unit_square(type, 4);
+      Triangulation &triangulation = mesh->triangulation;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        cell->set_material_id(cell->center()[0] < .5 ? 1 : 2);
+      for (int pass = 0; pass < 3; ++pass) // the cells left of (.5, .3)
+      {
+        CellMarks marks = no_marks(triangulation);
+        for (const auto &cell : triangulation.active_cell_iterators())
+          marks.refine[cell->active_cell_index()] =
+              cell->material_id() == 1 && cell->center().distance({.5, .3}) < cell->diameter();
+        set_flags(triangulation, marks);
+        complete_flags(triangulation, curved);
+        triangulation.execute_coarsening_and_refinement();
+      }
+      EXPECT_EQ(largest_step(triangulation), 1);
+      unsigned int n_uneven = 0;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (!cell->at_boundary(f) && cell->neighbor(f)->material_id() != cell->material_id())
+            n_uneven += cell->face(f)->has_children() || cell->neighbor_is_coarser(f);
+      EXPECT_EQ(n_uneven == 0, curved);
+    }
+}

@@ -49,6 +49,15 @@ namespace abut
    */
   void set_flags(dealii::Triangulation<2, 2> &triangulation, const CellMarks &marks);
 
-  /// Splits cells as gradings say, where those that marks name have been split.
-  void grade(dealii::Triangulation<2, 2> &triangulation, const std::vector<Grading> &gradings);
+  /**
+   * Completes the flags, so that none of two levels' difference will share an edge. Where borders between
+   * materials are `curved` their cells are split on both sides, and not merged: an edge between a cell and
+   * finer ones is straight (CellCharts), a chord that would take area from one material and give it to the
+   * other.
+   */
+  void complete_flags(dealii::Triangulation<2, 2> &triangulation, bool curved_borders);
+
+  /// Splits cells as gradings say, where those that marks name have been split; borders as above.
+  void grade(dealii::Triangulation<2, 2> &triangulation, const std::vector<Grading> &gradings,
+             bool curved_borders = false);
 } // namespace abut

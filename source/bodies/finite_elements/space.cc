@@ -195,12 +195,13 @@ namespace abut
   {
     dealii::Triangulation<2> &triangulation = mesh_->triangulation;
     set_flags(triangulation, marks);
-    triangulation.prepare_coarsening_and_refinement();
+    const bool curved_borders = mesh_->charts != nullptr; // only files have several materials
+    complete_flags(triangulation, curved_borders);
     if (!has_flags(triangulation))
       return fields;
     const CarriedFields carried(dof_handler_, fields);
     triangulation.execute_coarsening_and_refinement();
-    grade(triangulation, marks.gradings);
+    grade(triangulation, marks.gradings, curved_borders);
     if (mesh_->curved)
       check_jacobians(triangulation, *mapping_, degree(), "Body " + mesh_->name);
     distribute();
