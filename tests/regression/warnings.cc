@@ -158,6 +158,14 @@ namespace
       {"singular-pressure",
        {never_touches, {"Body steel/Shift=0, 20"}},
        {never_touches, {"Body steel/Shift=0, 20", "Body nylon/Size=10, 20", "Body nylon/Cells=15, 30"}}},
+      // A plane of symmetry of the steel alone is an edge to the nylon, unless its own is a little off.
+      {"singular-pressure",
+       {never_touches,
+        {"Body steel/Shift=0, 20", "Body nylon/Size=20, 20", "Body nylon/Shift=-10, 0",
+         "Body nylon/Cells=30, 30"}},
+       {never_touches,
+        {"Body steel/Shift=0, 20", "Body nylon/Size=10.001, 20", "Body nylon/Shift=-0.001, 0",
+         "Body nylon/Cells=15, 30"}}},
       // theta = .01 c takes its share of .0182 + theta.
       {"soft-penalty",
        {patch, {"Contact interface/Penalty coefficient=0.203"}},

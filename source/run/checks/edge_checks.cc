@@ -15,10 +15,11 @@ namespace abut
 {
   namespace
   {
-    /// Whether a place of a side is its start (end = 0) or end (1), or a corner within it.
-    bool side_ends(const Trace &side, const std::size_t segment, const double s, const std::size_t end)
+    /// Whether a place of a side is its start (end = 0) or end (1), or a corner within it, but for a share
+    /// `same` of the segment.
+    bool side_ends(const Trace &side, const std::size_t segment, const double s, const std::size_t end,
+                   const double same = 1e-6)
     {
-      constexpr double same = 1e-6; // of the segment
       if (std::abs(s - static_cast<double>(end)) > same)
         return false;
       const auto next = end == 1 ? side.following(segment) : side.preceding(segment);
@@ -76,7 +77,10 @@ namespace abut
       const EdgePlace place = cut_ends ? EdgePlace{&cut, piece.cut_segment, end}
                                        : EdgePlace{&other, piece.other_segment, 1 - end};
       const Trace &trace = *place.side->trace;
-      if (trace.is_plane_of_symmetry(trace.segments()[place.segment], place.end))
+      constexpr double near = .01; // planes of symmetry of two bodies may be a little apart
+      const bool both_end = cut_ends ? side_ends(*other.trace, piece.other_segment, t, 1 - end, near)
+                                     : side_ends(*cut.trace, piece.cut_segment, s, end, near);
+      if (both_end && trace.is_plane_of_symmetry(trace.segments()[place.segment], place.end))
         return {};
       return place;
     }
