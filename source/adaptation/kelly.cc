@@ -22,9 +22,8 @@ namespace abut
       return Vector2(s.xx * normal.x() + s.xy * normal.y(), s.xy * normal.x() + s.yy * normal.y());
     }
 
-    /// Squares of the stress and of the energy that belong to a force: its part
-    /// along `normal` stretches in plane strain without lateral strain, the rest
-    /// shears.
+    /// Squares of the stress and of the energy that belong to a force: its part along `normal` stretches in
+    /// plane strain without lateral strain, the rest shears.
     struct Squares
     {
       double stress = 0., energy = 0.;
@@ -41,10 +40,9 @@ namespace abut
       }
     };
 
-    /// A side's part of a jump between two materials, twice that of both together:
-    /// the stiffer one has it, as its stress is wrong by so much for a small error
-    /// of its strain. Halves would weigh the stiff side's error by the soft one's
-    /// compliance [BernardiVerfuerth2000].
+    /// A side's part of a jump between two materials, twice that of both together: the stiffer one has it, as
+    /// its stress is wrong by so much for a small error of its strain. Halves would weigh the stiff side's
+    /// error by the soft one's compliance [BernardiVerfuerth2000].
     double share(const Material &own, const Material &other)
     {
       return 2. * own.mu() / (own.mu() + other.mu());
@@ -84,8 +82,7 @@ namespace abut
       }
 
     private:
-      /// Each face is visited once: from the finer side, or from the cell with the
-      /// smaller index.
+      /// Each face is visited once: from the finer side, or from the cell with the smaller index.
       static bool is_visited_from(const Cell &cell, const unsigned int f)
       {
         const auto neighbour = cell->neighbor(f);
@@ -93,9 +90,8 @@ namespace abut
                                           cell->active_cell_index() < neighbour->active_cell_index());
       }
 
-      /// The area of a quadrilateral, or of the parallelogram that a triangle is
-      /// half of. By differences of vertices: cell->measure() is round-off, of
-      /// either sign, in cells that are 1e-8 of their coordinates.
+      /// The area of a quadrilateral, or of the parallelogram that a triangle is half of. By differences of
+      /// vertices: cell->measure() is round-off, of either sign, in cells that are 1e-8 of their coordinates.
       static double size_of(const Cell &cell)
       {
         const bool triangle = cell->n_vertices() == 3;
@@ -110,9 +106,8 @@ namespace abut
         return size_of(cell) / length / (8. * (2. * degree_ + 1.));
       }
 
-      /// The residual div sigma_F + f. What share of it stretches and what share
-      /// shears it does not tell; it is as if the error had the same second
-      /// derivatives in all directions.
+      /// The residual div sigma_F + f. What share of it stretches and what share shears it does not tell; it
+      /// is as if the error had the same second derivatives in all directions.
       void add_interior(const Cell &cell)
       {
         interior_.reinit(cell);
@@ -213,8 +208,7 @@ namespace abut
         return Vector2(normal[0], normal[1]);
       }
 
-      /// The stress of a neighbour at the points of the face, whatever part of the
-      /// neighbour's face it is.
+      /// The stress of a neighbour at the points of the face, whatever part of the neighbour's face it is.
       std::vector<Stress> stress_in(const Cell &neighbour)
       {
         std::vector<dealii::Point<2>> unit_points;
@@ -223,8 +217,7 @@ namespace abut
         return stress_in(neighbour, unit_points);
       }
 
-      /// At points of the reference cell of a cell whose unknowns are in
-      /// `other_dofs_`.
+      /// At points of the reference cell of a cell whose unknowns are in `other_dofs_`.
       std::vector<Stress> stress_in(const Cell &neighbour, const std::vector<dealii::Point<2>> &unit_points)
       {
         std::vector<double> values;
@@ -263,8 +256,7 @@ namespace abut
   CellErrors KellyIndicator::estimate(const BodySolution &solution) const
   {
     const FiniteElementBody &body = as_finite_elements(solution.body, "Adaptation/Estimator = kelly");
-    // sigma_F stands for the better stress that there is none of: areas and
-    // norms.
+    // sigma_F stands for the better stress that there is none of: areas and norms.
     std::vector<Stress> own;
     body.visit_stress(solution.deformation, SamplePoints::comparison,
                       [&](const SamplePoint &, const Stress &stress) { own.push_back(stress); });
