@@ -5,6 +5,7 @@
 
 #include "finite_elements_testing.h"
 #include <functional>
+#include <map>
 
 namespace abut
 {
@@ -23,12 +24,19 @@ namespace abut
            std::to_string(variant.degree);
   }
 
-  /// What an indicator says of a body that is loaded and supported, and touched by nothing.
-  inline CellErrors estimate(FiniteElementBody &body, const std::string &kind)
+  /// What each of the estimators says of a body under its loads and supports and contact forces (a trace
+  /// vector).
+  inline std::map<std::string, CellErrors> estimates(FiniteElementBody &body, const Eigen::VectorXd &forces)
   {
     body.prepare();
-    const Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.trace_size());
     const Eigen::VectorXd deformation = body.deformation(forces, 0.);
-    return indicator_of(kind)->estimate({body, deformation, forces});
+    std::map<std::string, CellErrors> errors;
+    for (const std::string &kind : estimators)
+      errors.emplace(kind, indicator_of(kind)->estimate({body, deformation, forces}));
+    return errors;
+  }
+  inline std::map<std::string, CellErrors> estimates(FiniteElementBody &body)
+  {
+    return estimates(body, Eigen::VectorXd::Zero(body.trace_size()));
   }
 } // namespace abut
