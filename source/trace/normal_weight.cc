@@ -11,7 +11,9 @@ namespace abut
 {
   namespace
   {
-    constexpr double epsilon = 1e-6;
+    /// So small that beside a curvature nothing of it is left, to the last digit: a flat side's normal that
+    /// was off by a billionth gave a disc on it a sideways load, which pushed it as far as it could go.
+    constexpr double epsilon = 1e-30;
     constexpr double straight = 1e-6;  // turning of a segment (radians) that is rounding of a mesh file
     constexpr double far_away = 1e6;   // lengths of the side, where it has no corner
     constexpr double very_near = 1e-3; // of a segment

@@ -51,7 +51,7 @@ namespace
     return codes.count(code) > 0;
   }
 
-  const std::string slide = "tests/data/cases/slide.prm",
+  const std::string slide = "tests/data/cases/slide.prm", crown = "tests/data/cases/crown.prm",
                     never_touches = "tests/data/cases/never-touches.prm",
                     v_groove_slave = "tests/data/cases/v-groove-slave.prm",
                     stiff_slave = "tests/data/cases/stiff-slave.prm",
@@ -93,6 +93,7 @@ namespace
 
   const std::string rollers = "left: normal displacement: 0; bottom: normal displacement: 0";
   const Overrides fine_cells = {"Body top/Cells=40, 10", "Body base/Cells=60, 20"}, // cells of 1/4 and 1/2
+      finer_cells = {"Body top/Cells=160, 10", "Body base/Cells=240, 20"},          // of 1/16 and 1/8
       coarse_cells = {"Body top/Cells=5, 5", "Body base/Cells=10, 5"};              // of 2 and 3
 
   const std::vector<Neighbours> all_neighbours = {
@@ -103,6 +104,7 @@ namespace
       {"sideways-displacement", moved("0.55", fine_cells), moved("0.45", fine_cells)}, // a cell
       {"sideways-displacement", moved("1.1", coarse_cells),
        moved("0.9", coarse_cells)}, // a tenth of the side
+      {"sideways-displacement", moved("0.22", finer_cells), moved("0.18", finer_cells)}, // a fiftieth
       {"side-leaves-master", moved("20.5"), moved("19.5")},
       {"side-leaves-master", moved("-0.3"), moved("-0.2")}, // beyond the middle of the last part
       {"facets",
@@ -166,6 +168,11 @@ namespace
        {never_touches,
         {"Body steel/Shift=0, 20", "Body nylon/Size=10.001, 20", "Body nylon/Shift=-0.001, 0",
          "Body nylon/Cells=15, 30"}}},
+      // Contact up to the edges, though the largest pressure stands between them, and contact that ends
+      // before.
+      {"singular-pressure",
+       {crown, {"Body crown/Conditions=bottom: displacement: 0, 0.06"}},
+       {crown, {"Body crown/Conditions=bottom: displacement: 0, 0.03"}}},
       // theta = .01 c takes its share of .0182 + theta.
       {"soft-penalty",
        {patch, {"Contact interface/Penalty coefficient=0.203"}},
@@ -214,7 +221,8 @@ namespace
     twice.insert(twice.find(size), "  set  Size = 2, 1 # too wide\n");
     ASSERT_EQ(warning_codes(answer_of(SceneRun{temporary_file("once.prm", once), {}})).size(), 0u);
     const Answer answer = answer_of(SceneRun{temporary_file("twice.prm", twice), {}});
-    EXPECT_EQ(warning_codes(answer), std::multiset<std::string>{"repeated-parameter"});
+    // The edge of the lower block presses into the upper one, which has become wider.
+    EXPECT_EQ(warning_codes(answer), (std::multiset<std::string>{"repeated-parameter", "singular-pressure"}));
   }
 
   TEST(Warnings, TheInputIsCheckedBeforeAnythingIsSolved)

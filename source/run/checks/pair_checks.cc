@@ -5,47 +5,71 @@
 #include <abut/run/checks/validity.h>
 #include <abut/run/part_cells.h>
 #include <abut/trace/common_normal.h>
+#include <abut/trace/contact_runs.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace abut
 {
   namespace
   {
-    /// Of the shorter side. Points stay paired as they were before anything moved.
-    constexpr double largest_sliding_share = .1;
+    /// Points stay paired as they were before anything moved. Of the shorter side, and of the contact there:
+    /// however small the cells are, a round body's gap, x^2 / 2R, is off by a twelfth of its depth then.
+    constexpr double largest_sliding_share = .1, noticed_sliding_share = .02;
 
     /// Of the force that may act where nothing lies opposite any more: what results are read to.
     constexpr double largest_share_beyond = .01;
 
-    Warnings sliding_warnings(const PairResult &pair)
+    struct Sliding
+    {
+      double distance = 0., limit = 0.;
+      Vector2 place = Vector2::Zero();
+    };
+
+    /// The part that slides farthest beside its limit, of those beyond it.
+    std::optional<Sliding> largest_sliding(const PairResult &pair, const double most)
     {
       const std::vector<PartCell> cells = part_cells(*pair.surface);
-      const double side =
-          std::min(pair.pair->cut_side().trace->length(), pair.pair->other_side().trace->length());
-      double worst = 1., sliding = 0., allowed = 0.;
-      Vector2 place = Vector2::Zero();
-      for (const std::size_t k : pair.parts)
-      {
-        const double own = std::abs(pair.sliding[static_cast<Eigen::Index>(k)]),
-                     limit = std::min(cells[k].longer, largest_sliding_share * side);
-        if (!pair.presses(k) || !(own > worst * limit))
-          continue;
-        worst = own / limit;
-        sliding = own;
-        allowed = limit;
-        place = pair.part(k).place;
-      }
-      if (!(worst > 1.))
+      std::optional<Sliding> largest;
+      double worst = 1.;
+      for (const Stretch &stretch : pair.surface->partition().stretches())
+        for (const ContactRun &run :
+             contact_runs(stretch, [&](const std::size_t k) { return pair.presses(k); }))
+        {
+          double length = 0.;
+          for (const std::size_t k : run)
+            length += pair.part(k).length;
+          for (const std::size_t k : run)
+          {
+            const double distance = std::abs(pair.sliding[static_cast<Eigen::Index>(k)]),
+                         limit = std::min(std::max(cells[k].longer, noticed_sliding_share * length), most);
+            if (!(distance > worst * limit))
+              continue;
+            worst = distance / limit;
+            largest = {distance, limit, pair.part(k).place};
+          }
+        }
+      return largest;
+    }
+
+    Warnings sliding_warnings(const PairResult &pair)
+    {
+      const double most = largest_sliding_share * std::min(pair.pair->cut_side().trace->length(),
+                                                           pair.pair->other_side().trace->length());
+      const auto sliding = largest_sliding(pair, most);
+      if (!sliding)
         return {};
       std::ostringstream text;
       text.precision(3);
-      text << "Contact " << pair.pair->name() << ": at (" << place.x() << ", " << place.y()
-           << ") the sides slide along each other by " << sliding << ", more than "
-           << (allowed < largest_sliding_share * side ? "a cell there (" : "a tenth of the side (") << allowed
+      text << "Contact " << pair.pair->name() << ": at (" << sliding->place.x() << ", " << sliding->place.y()
+           << ") the sides slide along each other by " << sliding->distance << ", more than "
+           << (sliding->limit < most ? "a cell there, or a fiftieth of the contact ("
+                                     : "a tenth of the side (")
+           << sliding->limit
            << "): their points stay paired as they were before anything moved; place the bodies where they "
               "come to lie (Shift) and prescribe the rest";
       return {{WarningCode::sideways_displacement, text.str()}};
