@@ -75,14 +75,15 @@ namespace abut
     AssertDimension(pressures.size(), problem_.n_pressures());
     AssertDimension(pressure_response.size(), problem_.response_size());
     const Eigen::VectorXd left = residual(pressures, response, beta_);
-    // Bodies that touch without force: there is nothing to compare round-off with.
+    // Bodies that touch without force: there is nothing to compare round-off with but the gaps everywhere.
+    constexpr double round_off = 1e-12;
     const Index n = pressures.size();
-    const Eigen::VectorXd terms = loads.response.head(n).cwiseAbs() + pressure_response.head(n).cwiseAbs() +
-                                  (response - loads.response - pressure_response).head(n).cwiseAbs();
-    const Eigen::ArrayXd lengths =
-        left.array().abs() * (problem_.penalties() + beta_).array() * problem_.weights().array();
-    if (!left.isZero(0.) && (lengths <= 1e-14 * terms.array()).all() &&
-        (pressure_response.head(n).array().abs() <= 1e-12 * terms.array()).all())
+    const Eigen::ArrayXd terms = loads.response.head(n).array().abs() +
+                                 pressure_response.head(n).array().abs() +
+                                 (response - loads.response - pressure_response).head(n).array().abs(),
+                         gaps = left.array().abs() * (problem_.penalties() + beta_).array();
+    if (!left.isZero(0.) && (gaps <= round_off * (terms / problem_.weights().array()).maxCoeff()).all() &&
+        (pressure_response.head(n).array().abs() <= round_off * terms).all())
       return std::numeric_limits<double>::epsilon();
     return relative(left, loads, pressures, pressure_response);
   }

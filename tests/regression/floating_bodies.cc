@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <regex>
 #include <sstream>
 
 using namespace abut::testing;
@@ -203,6 +204,24 @@ TEST(FloatingBodies, TouchingWithoutForce)
         EXPECT_LT(pair["normal_force"].get<double>(), 1e-9) << scheme;
     }
   }
+}
+
+/// The first mesh is too coarse for any of its parts to touch: there is no force that round-off could be
+/// measured by.
+TEST(FloatingBodies, ContactSmallerThanTheFirstCellsIsFound)
+{
+  const std::string scene = std::regex_replace(read_file(project_file("prm/disc-between-plates.prm")),
+                                               std::regex("  set Cells[^\n]*\n"), "");
+  const auto force = [&](const std::string &tolerance) {
+    const Answer answer =
+        run_text(scene, {"Tolerance=" + tolerance, "Body lower/Young modulus=100",
+                         "Body disc/Body force=0, 0", "Body upper/Conditions=top: displacement: 0, -0.001"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    return normal_force(answer, "below");
+  };
+  const double rough = force("0.05"), fine = force("0.005");
+  EXPECT_GT(fine, 0.);
+  EXPECT_NEAR(rough, fine, .02 * fine);
 }
 
 TEST(FloatingBodies, LoadsThatContactCannotBalance)
