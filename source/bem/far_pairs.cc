@@ -1,11 +1,71 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/vector_versions.h>
 #include <abut/bem/far_pairs.h>
 
 #include <deal.II/base/exceptions.h>
 
 namespace abut
 {
-  FarPairs::FarPairs(const GalerkinRule &rule, const unsigned int degree) : degree_(degree)
+  namespace
+  {
+    constexpr std::size_t far_lanes = FarPairs::n_lanes;
+
+    /// The kernels of one lane at w.
+    inline void set_kernels(const double x, const double y, const double second_x, const double second_y,
+                            const double first_x, const double first_y, double *const kernels)
+    {
+      const double square = x * x + y * y, inverse = 1. / square;
+      kernels[0] = vector_log(square);
+      kernels[far_lanes] = (x * x - y * y) * inverse;
+      kernels[2 * far_lanes] = -2. * x * y * inverse;
+      kernels[3 * far_lanes] = (second_y * x - second_x * y) * inverse;
+      kernels[4 * far_lanes] = (first_y * x - first_x * y) * inverse;
+    }
+
+    inline void add_scaled(const double factor, const FarPairs::Kernels &values, FarPairs::Kernels &sum)
+    {
+      for (std::size_t k = 0; k < FarPairs::n_kernels * far_lanes; ++k)
+        sum[k] += factor * values[k];
+    }
+
+    /// Sums over the points of both elements.
+    ABUT_VECTOR_VERSIONS
+    void sum_over_points(const BoundaryElement &first, const FarPairs::Seconds &seconds,
+                         const LegendreRule &outer, const LegendreRule &inner, FarPairs::Integrals &integrals)
+    {
+      const FarPairs::Seconds own = seconds;
+      const double half_x = .5 * (first.end - first.start).real(),
+                   half_y = .5 * (first.end - first.start).imag(), direction_x = first.direction.real(),
+                   direction_y = first.direction.imag();
+      const auto size = static_cast<std::size_t>(outer.weighted.cols());
+      FarPairs::Kernels values;
+      std::array<FarPairs::Kernels, max_density_degree + 1> partial;
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < size; ++j)
+          integrals[i][j].fill(0.);
+      for (Eigen::Index p = 0; p < outer.points.size(); ++p)
+      {
+        for (std::size_t j = 0; j < size; ++j)
+          partial[j].fill(0.);
+        for (Eigen::Index q = 0; q < inner.points.size(); ++q)
+        {
+          const double eta = inner.points[q], x = outer.points[p] * half_x, y = outer.points[p] * half_y;
+          for (std::size_t lane = 0; lane < far_lanes; ++lane)
+            set_kernels(own.x[lane] - x + eta * own.half_x[lane], own.y[lane] - y + eta * own.half_y[lane],
+                        own.direction_x[lane], own.direction_y[lane], direction_x, direction_y,
+                        values.data() + lane);
+          for (std::size_t j = 0; j < size; ++j)
+            add_scaled(inner.weighted(q, static_cast<Eigen::Index>(j)), values, partial[j]);
+        }
+        for (std::size_t i = 0; i < size; ++i)
+          for (std::size_t j = 0; j < size; ++j)
+            add_scaled(outer.weighted(p, static_cast<Eigen::Index>(i)), partial[j], integrals[i][j]);
+      }
+    }
+  } // namespace
+
+  FarPairs::FarPairs(const GalerkinRule &rule, const unsigned int degree)
+      : degree_(degree), n_distances_(static_cast<int>(rule.far.size()))
   {
     Assert(degree <= max_density_degree, dealii::ExcMessage("no such polynomials"));
     for (const GalerkinRule::FarPoints &far : rule.far)
@@ -15,15 +75,6 @@ namespace abut
     }
   }
 
-  int FarPairs::tier(const double distance, const double length) const
-  {
-    int index = -1;
-    for (const double least : distances_)
-      if (distance >= least * length)
-        ++index;
-    return index;
-  }
-
   void FarPairs::set_seconds(const BoundaryElement &first, const Partners &seconds)
   {
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
@@ -31,24 +82,14 @@ namespace abut
       const BoundaryElement &second = *seconds[lane];
       // Differences of vertices before sums: the distance keeps its digits.
       const Complex centre = .5 * ((second.start - first.start) + (second.end - first.end));
-      const auto k = static_cast<Eigen::Index>(lane);
-      seconds_.x[k] = centre.real();
-      seconds_.y[k] = centre.imag();
-      seconds_.half_x[k] = .5 * (second.end - second.start).real();
-      seconds_.half_y[k] = .5 * (second.end - second.start).imag();
-      seconds_.direction_x[k] = second.direction.real();
-      seconds_.direction_y[k] = second.direction.imag();
-      scale_[k] = .25 * first.length * second.length;
+      seconds_.x[lane] = centre.real();
+      seconds_.y[lane] = centre.imag();
+      seconds_.half_x[lane] = .5 * (second.end - second.start).real();
+      seconds_.half_y[lane] = .5 * (second.end - second.start).imag();
+      seconds_.direction_x[lane] = second.direction.real();
+      seconds_.direction_y[lane] = second.direction.imag();
+      scale_[lane] = .25 * first.length * second.length;
     }
-  }
-
-  FarPairs::Kernels FarPairs::kernels(const Seconds &seconds, const Lanes &x, const Lanes &y,
-                                      const Complex first_direction)
-  {
-    const Lanes square = x * x + y * y, inverse = 1. / square;
-    return {{square.log(), (x * x - y * y) * inverse, -2. * x * y * inverse,
-             (seconds.direction_y * x - seconds.direction_x * y) * inverse,
-             (first_direction.imag() * x - first_direction.real() * y) * inverse}};
   }
 
   void FarPairs::integrate(const BoundaryElement &first, const Partners &seconds,
@@ -56,51 +97,24 @@ namespace abut
   {
     AssertIndexRange(first_tier, n_tiers());
     AssertIndexRange(second_tier, n_tiers());
-    const LegendreRule &outer = rules_[first_tier], &inner = rules_[second_tier];
-    const unsigned int size = degree_ + 1;
-    const Complex half = .5 * (first.end - first.start);
     set_seconds(first, seconds);
-    std::array<Kernels, max_density_degree + 1> partial;
-    for (unsigned int i = 0; i < size; ++i)
-      for (unsigned int j = 0; j < size; ++j)
-        integrals_[i][j].fill(Lanes::Zero());
-    for (Eigen::Index p = 0; p < outer.points.size(); ++p)
-    {
-      const Lanes x = seconds_.x - outer.points[p] * half.real(),
-                  y = seconds_.y - outer.points[p] * half.imag();
-      for (unsigned int j = 0; j < size; ++j)
-        partial[j].fill(Lanes::Zero());
-      for (Eigen::Index q = 0; q < inner.points.size(); ++q)
-      {
-        const double eta = inner.points[q];
-        const Kernels values =
-            kernels(seconds_, x + eta * seconds_.half_x, y + eta * seconds_.half_y, first.direction);
-        for (unsigned int j = 0; j < size; ++j)
-          for (unsigned int k = 0; k < values.size(); ++k)
-            partial[j][k] += inner.weighted(q, j) * values[k];
-      }
-      for (unsigned int i = 0; i < size; ++i)
-        for (unsigned int j = 0; j < size; ++j)
-          for (unsigned int k = 0; k < partial[j].size(); ++k)
-            integrals_[i][j][k] += outer.weighted(p, i) * partial[j][k];
-    }
+    sum_over_points(first, seconds_, rules_[first_tier], rules_[second_tier], integrals_);
   }
 
   void FarPairs::copy(const std::size_t lane, PairIntegrals &integrals) const
   {
     AssertIndexRange(lane, n_lanes);
     AssertDimension(integrals.log.rows(), static_cast<Eigen::Index>(degree_ + 1));
-    const auto l = static_cast<Eigen::Index>(lane);
-    const double scale = scale_[l], by_two_pi = scale / (2. * M_PI);
+    const double scale = scale_[lane], by_two_pi = scale / (2. * M_PI);
     for (unsigned int j = 0; j <= degree_; ++j)
       for (unsigned int i = 0; i <= degree_; ++i)
       {
-        const Kernels &values = integrals_[i][j];
-        integrals.log(i, j) = .5 * scale * values[0][l];
-        integrals.even_real(i, j) = scale * values[1][l];
-        integrals.even_imag(i, j) = scale * values[2][l];
-        integrals.double_layer(i, j) = -by_two_pi * values[3][l];
-        integrals.reversed(i, j) = by_two_pi * values[4][l];
+        const double *const value = integrals_[i][j].data() + lane;
+        integrals.log(i, j) = .5 * scale * value[0];
+        integrals.even_real(i, j) = scale * value[n_lanes];
+        integrals.even_imag(i, j) = scale * value[2 * n_lanes];
+        integrals.double_layer(i, j) = -by_two_pi * value[3 * n_lanes];
+        integrals.reversed(i, j) = by_two_pi * value[4 * n_lanes];
       }
   }
 } // namespace abut

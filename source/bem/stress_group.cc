@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/lagrange_basis.h>
+#include <abut/base/vector_versions.h>
 #include <abut/bem/stress_group.h>
 
 #include <deal.II/base/exceptions.h>
@@ -7,15 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-// Two versions of the inner loop, of which the machine takes the one it has instructions for when the program
-// starts. Both round alike (no fused multiplication). GCC's thread sanitizer does not survive such a choice.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&             \
-    !defined(__SANITIZE_THREAD__)
-#define ABUT_VECTOR_VERSIONS __attribute__((target_clones("avx2", "default")))
-#else
-#define ABUT_VECTOR_VERSIONS
-#endif
 
 namespace abut
 {
@@ -221,5 +213,3 @@ namespace abut
     }
   }
 } // namespace abut
-
-#undef ABUT_VECTOR_VERSIONS

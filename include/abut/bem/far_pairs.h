@@ -15,12 +15,30 @@ namespace abut
   public:
     /// So many others are integrated at once, one in every lane of the processor's vectors.
     static constexpr std::size_t n_lanes = 8;
+    using Lanes = std::array<double, n_lanes>;
     using Partners = std::array<const BoundaryElement *, n_lanes>;
+    /// 2 ln |w|, real and imaginary part of conj(w)/w, Im(direction/w) of the second and of the first.
+    static constexpr std::size_t n_kernels = 5;
+    using Kernels = std::array<double, n_kernels * n_lanes>;
+    using Integrals = std::array<std::array<Kernels, max_density_degree + 1>, max_density_degree + 1>;
+
+    struct Seconds
+    {
+      Lanes x, y;           // centre as seen from the centre of the first
+      Lanes half_x, half_y; // half of the element
+      Lanes direction_x, direction_y;
+    };
 
     FarPairs(const GalerkinRule &rule, unsigned int degree);
 
     /// The index of FarPoints for an element of this length, -1 where the distance is too short.
-    int tier(double distance, double length) const;
+    int tier(const double distance, const double length) const
+    {
+      int index = -1;
+      while (index + 1 < n_distances_ && distance >= distances_[static_cast<std::size_t>(index + 1)] * length)
+        ++index;
+      return index;
+    }
     std::size_t n_tiers() const { return rules_.size(); }
 
     /// x on `first`, y on every one of `seconds`, with the points of the tiers.
@@ -30,24 +48,14 @@ namespace abut
     void copy(std::size_t lane, PairIntegrals &integrals) const;
 
   private:
-    using Lanes = Eigen::Array<double, static_cast<int>(n_lanes), 1>;
-    /// 2 ln |w|, real and imaginary part of conj(w)/w, Im(direction/w) of the second and of the first.
-    using Kernels = std::array<Lanes, 5>;
-
-    struct Seconds
-    {
-      Lanes x, y;           // centre as seen from the centre of the first
-      Lanes half_x, half_y; // half of the element
-      Lanes direction_x, direction_y;
-    };
-    static Kernels kernels(const Seconds &seconds, const Lanes &x, const Lanes &y, Complex first_direction);
     void set_seconds(const BoundaryElement &first, const Partners &seconds);
 
     unsigned int degree_;
+    int n_distances_;
     std::vector<double> distances_;
     std::vector<LegendreRule> rules_;
     Seconds seconds_;
     Lanes scale_; // quarter product of the lengths
-    std::array<std::array<Kernels, max_density_degree + 1>, max_density_degree + 1> integrals_;
+    Integrals integrals_;
   };
 } // namespace abut
