@@ -17,31 +17,33 @@ namespace abut
 {
   namespace
   {
-    Eigen::MatrixXd product(const char transposed, const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
+    Eigen::MatrixXd product(const char transposed, const Eigen::Ref<const Eigen::MatrixXd> &a,
+                            const Eigen::MatrixXd &b)
     {
       const Eigen::Index rows = transposed == 'T' ? a.cols() : a.rows();
       AssertDimension(transposed == 'T' ? a.rows() : a.cols(), b.rows());
-      Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, b.cols());
+      Eigen::MatrixXd result(rows, b.cols());
       if (a.size() == 0 || b.size() == 0)
-        return result;
+        return result.setZero();
       constexpr char as_it_is = 'N';
       constexpr double one = 1., zero = 0.;
       const auto n = static_cast<dealii::types::blas_int>(rows),
                  n_columns = static_cast<dealii::types::blas_int>(b.cols()),
                  n_inner = static_cast<dealii::types::blas_int>(b.rows()),
-                 n_rows = static_cast<dealii::types::blas_int>(a.rows());
+                 n_rows = static_cast<dealii::types::blas_int>(a.outerStride());
       dealii::gemm(&transposed, &as_it_is, &n, &n_columns, &n_inner, &one, a.data(), &n_rows, b.data(),
                    &n_inner, &zero, result.data(), &n);
       return result;
     }
   } // namespace
 
-  Eigen::MatrixXd blas_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
+  Eigen::MatrixXd blas_product(const Eigen::Ref<const Eigen::MatrixXd> &a, const Eigen::MatrixXd &b)
   {
     return product('N', a, b);
   }
 
-  Eigen::MatrixXd transposed_blas_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
+  Eigen::MatrixXd transposed_blas_product(const Eigen::Ref<const Eigen::MatrixXd> &a,
+                                          const Eigen::MatrixXd &b)
   {
     return product('T', a, b);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/dense_cholesky.h>
 #include <abut/bem/fast_kernels.h>
 
 #include <deal.II/base/exceptions.h>
@@ -41,6 +42,51 @@ namespace abut
       turned_slope = 7,
       n_functions = 8
     };
+
+    /// M f and M conj(f) from products of the real and imaginary parts of M (rows, one after the other) with
+    /// those of f (two columns).
+    template <typename Parts> Eigen::VectorXcd times(const Parts &parts)
+    {
+      const Index n = parts.rows() / 2;
+      Eigen::VectorXcd product(n);
+      product.real() = parts.col(0).head(n) - parts.col(1).tail(n);
+      product.imag() = parts.col(1).head(n) + parts.col(0).tail(n);
+      return product;
+    }
+    template <typename Parts> Eigen::VectorXcd times_conjugate(const Parts &parts)
+    {
+      const Index n = parts.rows() / 2;
+      Eigen::VectorXcd product(n);
+      product.real() = parts.col(0).head(n) + parts.col(1).tail(n);
+      product.imag() = parts.col(0).tail(n) - parts.col(1).head(n);
+      return product;
+    }
+
+    /// What the transposed parts of M take to M^T x + sign conj(M^T y), its real and imaginary parts.
+    template <typename X, typename Y, typename Parts>
+    void set_factors(const X &x, const Y &y, const double sign, Parts &&factors)
+    {
+      const Index n = x.size();
+      factors.col(0).head(n) = x.real() + sign * y.real();
+      factors.col(0).tail(n) = -x.imag() - sign * y.imag();
+      factors.col(1).head(n) = x.imag() - sign * y.imag();
+      factors.col(1).tail(n) = x.real() - sign * y.real();
+    }
+
+    /// Adds a multiple of a complex vector that is given by its parts, two columns.
+    template <typename Parts, typename Sum>
+    void add_parts(const Complex factor, const Parts &parts, Sum &&sum)
+    {
+      sum.real() += factor.real() * parts.col(0) - factor.imag() * parts.col(1);
+      sum.imag() += factor.real() * parts.col(1) + factor.imag() * parts.col(0);
+    }
+
+    /// Real and imaginary parts, two columns.
+    template <typename Vector, typename Parts> void set_parts(const Vector &x, Parts &&parts)
+    {
+      parts.col(0) = x.real();
+      parts.col(1) = x.imag();
+    }
   } // namespace
 
   FastKernels::FastKernels(const std::vector<BoundaryElement> &elements, const unsigned int degree,
@@ -67,7 +113,7 @@ namespace abut
   FastKernels::Expansions::Expansions(const FastKernels &kernels, const double tolerance)
       : translation_(SeriesTranslation::order_for(tolerance, convergence),
                      {{log_traction, turned_traction}, {log_slope, turned_slope}}),
-        moments_(kernels.near_.size()), turned_moments_(kernels.near_.size())
+        moments_(kernels.near_.size()), directed_moments_(kernels.near_.size())
   {
     const unsigned int size = kernels.degree_ + 1;
     const Index n = translation_.order() + 1;
@@ -77,7 +123,9 @@ namespace abut
       const ClusterTree::Cluster &leaf = kernels.tree_.clusters()[i];
       if (!leaf.is_leaf())
         continue;
-      moments_[i] = turned_moments_[i] = Eigen::MatrixXcd::Zero(n, kernels.n_rows(i));
+      Eigen::MatrixXd &moments = moments_[i], &directed = directed_moments_[i];
+      moments = Eigen::MatrixXd::Zero(4 * n, kernels.n_rows(i));
+      directed.resize(2 * n, kernels.n_rows(i));
       for (std::size_t e = 0; e < leaf.size(); ++e)
       {
         const BoundaryElement &element = kernels.elements_[leaf.first + e];
@@ -86,12 +134,21 @@ namespace abut
           const Complex y = (element.point(rule.points[j]) - leaf.disc.centre) / leaf.disc.radius;
           Complex power = .5 * element.length;
           for (Index k = 0; k < n; ++k, power *= y)
+          {
+            const Complex turned = std::conj(y) * power;
             for (unsigned int m = 0; m < size; ++m)
-            {
-              const Index column = static_cast<Index>(e * size + m);
-              moments_[i](k, column) += rule.weighted(j, m) * power;
-              turned_moments_[i](k, column) += rule.weighted(j, m) * std::conj(y) * power;
-            }
+              moments.col(static_cast<Index>(e * size + m))(Eigen::seqN(k, 4, n)) +=
+                  rule.weighted(j, m) *
+                  Eigen::Vector4d(power.real(), power.imag(), turned.real(), turned.imag());
+          }
+        }
+        const Complex direction = element.direction / leaf.disc.radius;
+        for (unsigned int m = 0; m < size; ++m)
+        {
+          const auto column = static_cast<Index>(e * size + m);
+          const auto real = moments.col(column).head(n), imag = moments.col(column).segment(n, n);
+          directed.col(column) << direction.real() * real - direction.imag() * imag,
+              direction.real() * imag + direction.imag() * real;
         }
       }
     }
@@ -145,57 +202,60 @@ namespace abut
   HolomorphicSeries FastKernels::outgoing(const std::size_t leaf, const KernelDensities &densities,
                                           const Expansions &expansions) const
   {
-    const Index row = first_row(leaf), n = n_rows(leaf), size = degree_ + 1;
-    const double radius = tree_.clusters()[leaf].disc.radius;
-    Eigen::MatrixXcd f(n, 6); // as the first six functions
-    f.col(log_traction) = densities.traction.segment(row, n);
-    f.col(log_slope) = densities.slope.segment(row, n);
-    f.col(cauchy) = densities.displacement.segment(row, n);
-    for (const Index column : {log_traction, log_slope, cauchy})
-      f.col(column + 1) = f.col(column).conjugate();
-    for (Index i = 0; i < n; ++i)
-      f.row(i).tail(2) *= elements_[static_cast<std::size_t>((row + i) / size)].direction / radius;
-    const Eigen::MatrixXcd moments = expansions.moments_[leaf] * f;
-    Eigen::MatrixXcd both(n, 2);
-    both << f.col(log_traction), f.col(log_slope);
-    const Eigen::MatrixXcd turned = expansions.turned_moments_[leaf] * both;
-    HolomorphicSeries series = HolomorphicSeries::Zero(moments.rows(), n_functions);
-    series.row(0).head(4) = moments.row(0).head(4);
-    for (Index k = 1; k < series.rows(); ++k)
+    const Index row = first_row(leaf), n = n_rows(leaf), n_terms = expansions.translation_.order() + 1;
+    Eigen::MatrixXd parts(n, 4), displacement(n, 2);
+    set_parts(densities.traction.segment(row, n), parts.leftCols(2));
+    set_parts(densities.slope.segment(row, n), parts.rightCols(2));
+    set_parts(densities.displacement.segment(row, n), displacement);
+    const Eigen::MatrixXd moments = blas_product(expansions.moments_[leaf], parts),
+                          directed = blas_product(expansions.directed_moments_[leaf], displacement);
+    HolomorphicSeries series = HolomorphicSeries::Zero(n_terms, n_functions);
+    for (Index density = 0; density < 2; ++density)
     {
-      series.row(k).head(4) = -moments.row(k).head(4) / static_cast<double>(k);
-      series.row(k).segment(cauchy, 2) = -moments.row(k - 1).segment(cauchy, 2);
-      series.row(k).tail(2) = -turned.row(k - 1);
+      const auto plain = moments.block(0, 2 * density, 2 * n_terms, 2);
+      series.col(2 * density) = times(plain);
+      series.col(2 * density + 1) = times_conjugate(plain);
+      series.col(turned_traction + density).tail(n_terms - 1) =
+          -times(moments.block(2 * n_terms, 2 * density, 2 * n_terms, 2)).head(n_terms - 1);
     }
+    for (Index k = 1; k < n_terms; ++k)
+      series.row(k).head(4) /= -static_cast<double>(k);
+    series.col(cauchy).tail(n_terms - 1) = -times(directed).head(n_terms - 1);
+    series.col(cauchy + 1).tail(n_terms - 1) = -times_conjugate(directed).head(n_terms - 1);
     return series;
   }
 
   void FastKernels::add_incoming(const std::size_t leaf, const HolomorphicSeries &incoming,
                                  const Expansions &expansions, KernelProducts &products) const
   {
-    const Index row = first_row(leaf), n = n_rows(leaf), size = degree_ + 1, order = incoming.rows() - 1;
-    const double radius = tree_.clusters()[leaf].disc.radius;
-    Eigen::MatrixXcd slopes = Eigen::MatrixXcd::Zero(order + 1, 4); // radius times those of ln
-    for (Index m = 0; m < order; ++m)
+    const Index row = first_row(leaf), n = n_rows(leaf), n_terms = incoming.rows();
+    Eigen::MatrixXcd slopes = Eigen::MatrixXcd::Zero(n_terms, 4); // radius times those of ln
+    for (Index m = 0; m + 1 < n_terms; ++m)
       slopes.row(m) = static_cast<double>(m + 1) * incoming.row(m + 1).head(4);
-    const Eigen::MatrixXcd values = expansions.moments_[leaf].transpose() * incoming,
-                           cauchy_of_traction =
-                               expansions.moments_[leaf].transpose() * slopes.leftCols(2) / -radius,
-                           turned = expansions.turned_moments_[leaf].transpose() * slopes;
-    const Complex factor = 1. / Complex(0., 4. * M_PI);
-    products.traction_log.segment(row, n) +=
-        .5 * (values.col(log_traction) + values.col(log_traction + 1).conjugate());
-    products.slope_log.segment(row, n) +=
-        .5 * (values.col(log_slope) + values.col(log_slope + 1).conjugate());
-    products.traction_even.segment(row, n) += values.col(turned_traction) + turned.col(log_traction);
-    products.slope_even.segment(row, n) += values.col(turned_slope) + turned.col(log_slope);
-    products.double_layer.segment(row, n) -=
-        factor * (values.col(cauchy) - values.col(cauchy + 1).conjugate());
-    for (Index i = 0; i < n; ++i)
+    const Eigen::VectorXcd none = Eigen::VectorXcd::Zero(n_terms);
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(4 * n_terms, 10), directed(2 * n_terms, 2);
+    const auto set = [&](const Index column, const double sign) {
+      set_factors(incoming.col(column), incoming.col(column + 1), sign,
+                  factors.block(0, column, 2 * n_terms, 2));
+    };
+    set(log_traction, 1.);
+    set(log_slope, 1.);
+    set(cauchy, -1.);
+    for (Index density = 0; density < 2; ++density)
     {
-      const Complex direction = elements_[static_cast<std::size_t>((row + i) / size)].direction;
-      products.transposed_double_layer[row + i] +=
-          factor * (direction * cauchy_of_traction(i, 0) - std::conj(direction * cauchy_of_traction(i, 1)));
+      auto both = factors.middleCols(turned_traction + 2 * density, 2);
+      set_factors(incoming.col(turned_traction + density), none, 1., both.topRows(2 * n_terms));
+      set_factors(slopes.col(2 * density), none, 1., both.bottomRows(2 * n_terms));
     }
+    set_factors(slopes.col(log_traction), slopes.col(log_traction + 1), -1., directed);
+    const Eigen::MatrixXd values = transposed_blas_product(expansions.moments_[leaf], factors),
+                          reversed = transposed_blas_product(expansions.directed_moments_[leaf], directed);
+    const Complex factor = 1. / Complex(0., 4. * M_PI);
+    add_parts(.5, values.middleCols(log_traction, 2), products.traction_log.segment(row, n));
+    add_parts(.5, values.middleCols(log_slope, 2), products.slope_log.segment(row, n));
+    add_parts(-factor, values.middleCols(cauchy, 2), products.double_layer.segment(row, n));
+    add_parts(1., values.middleCols(turned_traction, 2), products.traction_even.segment(row, n));
+    add_parts(1., values.middleCols(turned_traction + 2, 2), products.slope_even.segment(row, n));
+    add_parts(-factor, reversed, products.transposed_double_layer.segment(row, n));
   }
 } // namespace abut

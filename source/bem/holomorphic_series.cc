@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/dense_cholesky.h>
 #include <abut/bem/holomorphic_series.h>
 
 #include <deal.II/base/exceptions.h>
@@ -12,17 +13,11 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-    using SeriesParts = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-    /// Real and imaginary parts of a series are columns of their own.
-    HolomorphicSeries real_product(const Eigen::MatrixXd &matrix, const HolomorphicSeries &series)
+    /// Real and imaginary parts of every term, a column for every term.
+    Eigen::Map<Eigen::MatrixXd> terms(HolomorphicSeries &series)
     {
-      HolomorphicSeries product(matrix.rows(), series.cols());
-      const Eigen::Map<const SeriesParts> parts(reinterpret_cast<const double *>(series.data()),
-                                                series.rows(), 2 * series.cols());
-      Eigen::Map<SeriesParts>(reinterpret_cast<double *>(product.data()), matrix.rows(), 2 * series.cols())
-          .noalias() = matrix * parts;
-      return product;
+      return {reinterpret_cast<double *>(series.data()), 2 * series.cols(), series.rows()};
     }
 
     /// Multiplies the rows by 1, factor, factor^2, ...
@@ -63,12 +58,12 @@ namespace abut
     Assert(order > 0, dealii::ExcMessage("a series has terms"));
     const Index n = order + 1;
     across_ = Eigen::MatrixXd::Zero(n, n);
-    across_.row(0).tail(order).setOnes();
+    across_.col(0).tail(order).setOnes();
     for (Index m = 1; m < n; ++m)
     {
-      across_(m, 0) = -1. / static_cast<double>(m);
+      across_(0, m) = -1. / static_cast<double>(m);
       for (Index k = 1; k < n; ++k)
-        across_(m, k) = across_(m - 1, k) * static_cast<double>(k + m - 1) / static_cast<double>(m);
+        across_(k, m) = across_(k, m - 1) * static_cast<double>(k + m - 1) / static_cast<double>(m);
     }
   }
 
@@ -106,7 +101,7 @@ namespace abut
            dealii::ExcMessage("the series converges where it is expanded anew"));
     HolomorphicSeries series = from;
     scale_by_powers(from_disc.radius / shift, series);
-    series = real_product(across_, series);
+    terms(series) = blas_product(terms(series), across_);
     series.row(0) += std::log(std::abs(shift)) * from.row(0);
     scale_by_powers(-to_disc.radius / shift, series);
     turn_incoming(companions_, shift, to_disc.radius, series);

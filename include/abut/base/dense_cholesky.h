@@ -29,8 +29,9 @@ namespace abut
   };
 
   /// A B and A^T B, by BLAS, which is much faster than Eigen where B has few columns.
-  Eigen::MatrixXd blas_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b);
-  Eigen::MatrixXd transposed_blas_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b);
+  Eigen::MatrixXd blas_product(const Eigen::Ref<const Eigen::MatrixXd> &a, const Eigen::MatrixXd &b);
+  Eigen::MatrixXd transposed_blas_product(const Eigen::Ref<const Eigen::MatrixXd> &a,
+                                          const Eigen::MatrixXd &b);
 
   /// Adds A^T A to a symmetric matrix, by BLAS.
   void add_gram_matrix(const Eigen::MatrixXd &a, Eigen::MatrixXd &sum);

@@ -38,9 +38,11 @@ namespace abut
     private:
       friend class FastKernels;
       SeriesTranslation translation_;
-      /// int P_n y^k ds and int P_n conj(y) y^k ds in every leaf: a row for every k, a column for every
-      /// polynomial of every element.
-      std::vector<Eigen::MatrixXcd> moments_, turned_moments_;
+      /**
+       * Of every leaf, real parts above imaginary ones, a row for every k, a column for every polynomial of
+       * every element: int P_n y^k ds and below it int P_n conj(y) y^k ds; int P_n y^k dy.
+       */
+      std::vector<Eigen::MatrixXd> moments_, directed_moments_;
     };
 
     KernelProducts multiply(const KernelDensities &densities, const Expansions &expansions) const;

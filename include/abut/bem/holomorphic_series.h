@@ -52,6 +52,6 @@ namespace abut
   private:
     unsigned int order_;
     std::vector<Companions> companions_;
-    Eigen::MatrixXd across_; ///< incoming from outgoing terms, in units of radius by distance
+    Eigen::MatrixXd across_; ///< incoming (columns) from outgoing terms, in units of radius by distance
   };
 } // namespace abut
