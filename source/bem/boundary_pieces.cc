@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/bem/boundary_pieces.h>
 #include <abut/bem/cluster_tree.h>
-#include <abut/bem/kernel_matrices.h>
 
 #include <algorithm>
-#include <map>
 
 namespace abut
 {
@@ -60,65 +58,19 @@ namespace abut
       return pieces;
     }
 
-    /// Rows of a basis, in both components, as those of some elements alone.
-    class LocalRows
+    /// The element of a row of a basis.
+    std::size_t element_of(const BoundarySpace &space, const Index row)
     {
-    public:
-      LocalRows(const BoundarySpace &space, const std::vector<std::size_t> &elements)
-          : n_(space.n_coefficients()), size_(space.density_degree() + 1),
-            local_n_(static_cast<Index>(elements.size()) * size_)
-      {
-        for (std::size_t i = 0; i < elements.size(); ++i)
-          place_[elements[i]] = static_cast<Index>(i);
-      }
-
-      std::size_t element(const Index row) const { return static_cast<std::size_t>(row % n_ / size_); }
-      /// Whether a column has no entry beside these elements.
-      bool has(const LegendreBasis &basis, const Index column) const
-      {
-        for (LegendreBasis::InnerIterator entry(basis, column); entry; ++entry)
-          if (place_.count(element(entry.row())) == 0)
-            return false;
-        return true;
-      }
-      LegendreBasis restricted(const LegendreBasis &basis, const std::vector<Index> &columns) const
-      {
-        std::vector<Eigen::Triplet<double>> entries;
-        for (std::size_t j = 0; j < columns.size(); ++j)
-          for (LegendreBasis::InnerIterator entry(basis, columns[j]); entry; ++entry)
-            entries.emplace_back(static_cast<int>(entry.row() / n_ * local_n_ +
-                                                  place_.at(element(entry.row())) * size_ +
-                                                  entry.row() % size_),
-                                 static_cast<int>(j), entry.value());
-        LegendreBasis local(2 * local_n_, static_cast<Index>(columns.size()));
-        local.setFromTriplets(entries.begin(), entries.end());
-        return local;
-      }
-
-    private:
-      Index n_, size_, local_n_;
-      std::map<std::size_t, Index> place_;
-    };
-
-    /// The columns of a basis that lie among some elements.
-    std::vector<Index> columns_of(const LegendreBasis &basis, const LocalRows &rows,
-                                  const std::vector<Index> &candidates)
-    {
-      std::vector<Index> columns;
-      for (const Index column : candidates)
-        if (rows.has(basis, column))
-          columns.push_back(column);
-      return columns;
+      return static_cast<std::size_t>(row % space.n_coefficients() / (space.density_degree() + 1));
     }
 
     /// The columns that have entries on each element.
-    std::vector<std::vector<Index>> columns_at(const LegendreBasis &basis, const LocalRows &rows,
-                                               const std::size_t n_elements)
+    std::vector<std::vector<Index>> columns_at(const BoundarySpace &space, const LegendreBasis &basis)
     {
-      std::vector<std::vector<Index>> columns(n_elements);
+      std::vector<std::vector<Index>> columns(space.elements().size());
       for (Index j = 0; j < basis.cols(); ++j)
         for (LegendreBasis::InnerIterator entry(basis, j); entry; ++entry)
-          columns[rows.element(entry.row())].push_back(j);
+          columns[element_of(space, entry.row())].push_back(j);
       return columns;
     }
 
@@ -134,62 +86,49 @@ namespace abut
     }
   } // namespace
 
-  BoundaryPieces::BoundaryPieces(const BoundarySpace &space, const BoundaryUnknowns &unknowns,
-                                 const double poisson_ratio, const GalerkinRule &rule)
+  BoundaryPieces::BoundaryPieces(const BoundaryUnknowns &unknowns, const NearSystem &near)
   {
-    const LegendreBasis &t = unknowns.tractions();
-    const DisplacementBasis &u = unknowns.free();
-    motions_.resize(u.values.cols(), unknowns.rigid_motions().cols() + unknowns.hole_motions().cols());
+    const BoundarySpace &space = unknowns.space();
+    const LegendreBasis &t = unknowns.tractions(), &u = unknowns.free().values;
+    motions_.resize(u.cols(), unknowns.rigid_motions().cols() + unknowns.hole_motions().cols());
     motions_ << unknowns.displacements().transpose() * unknowns.rigid_motions(),
         unknowns.displacements().transpose() * unknowns.hole_motions();
 
     const std::vector<std::size_t> piece_of = divide(space);
     const auto elements_of = extended(space, piece_of);
-    const LocalRows all(space, {});
-    const auto t_at = columns_at(t, all, piece_of.size()), u_at = columns_at(u.values, all, piece_of.size());
-    const auto owner = [&](const LegendreBasis &basis, const Index column) {
-      return piece_of[all.element(LegendreBasis::InnerIterator(basis, column).row())];
-    };
+    const auto t_at = columns_at(space, t), u_at = columns_at(space, u);
     pieces_.resize(elements_of.size());
+    std::vector<std::size_t> last_piece(piece_of.size(), pieces_.size()); // that had the element
     for (std::size_t p = 0; p < pieces_.size(); ++p)
     {
-      const LocalRows rows(space, elements_of[p]);
-      const std::vector<Index> t_columns = columns_of(t, rows, candidates(t_at, elements_of[p])),
-                               u_columns = columns_of(u.values, rows, candidates(u_at, elements_of[p]));
-      const auto n_t = static_cast<Index>(t_columns.size()), n_u = static_cast<Index>(u_columns.size());
-      std::vector<BoundaryElement> elements;
       for (const std::size_t e : elements_of[p])
-        elements.push_back(space.elements()[e]);
-      const LayerOperators operators(kernel_matrices(elements, space.density_degree(), rule), poisson_ratio);
-      const LegendreBasis local_t = rows.restricted(t, t_columns);
-      const DisplacementBasis local_u{rows.restricted(u.values, u_columns),
-                                      rows.restricted(u.slopes, u_columns)};
-      Eigen::MatrixXd matrix(n_t + n_u, n_t + n_u);
-      matrix.topLeftCorner(n_t, n_t) = operators.single_layer(local_t, local_t);
-      matrix.topRightCorner(n_t, n_u) = -operators.double_layer(local_t, local_u);
-      matrix.bottomLeftCorner(n_u, n_t) = -matrix.topRightCorner(n_t, n_u).transpose();
-      const Eigen::MatrixXd w = operators.hypersingular(local_u, local_u);
+        last_piece[e] = p;
+      Piece &piece = pieces_[p];
+      const auto add_unknowns = [&](const LegendreBasis &basis, const std::vector<std::vector<Index>> &at,
+                                    const Index first) {
+        for (const Index column : candidates(at, elements_of[p]))
+        {
+          bool is_inside = true;
+          for (LegendreBasis::InnerIterator entry(basis, column); entry; ++entry)
+            is_inside = is_inside && last_piece[element_of(space, entry.row())] == p;
+          if (!is_inside)
+            continue;
+          if (piece_of[element_of(space, LegendreBasis::InnerIterator(basis, column).row())] == p)
+            piece.own.push_back(static_cast<Index>(piece.unknowns.size()));
+          piece.unknowns.push_back(first + column);
+        }
+        return static_cast<Index>(piece.unknowns.size());
+      };
+      const Index n_t = add_unknowns(t, t_at, 0), n_u = add_unknowns(u, u_at, t.cols()) - n_t;
+      Eigen::MatrixXd matrix = near.principal(piece.unknowns, elements_of[p]);
+      auto w = matrix.bottomRightCorner(n_u, n_u);
       if (weight_ == 0. && n_u > 0)
         weight_ = w.diagonal().mean();
       Eigen::MatrixXd motions(n_u, motions_.cols());
       for (Index i = 0; i < n_u; ++i)
-        motions.row(i) = motions_.row(u_columns[static_cast<std::size_t>(i)]);
-      matrix.bottomRightCorner(n_u, n_u) = w + weight_ * motions * motions.transpose();
-
-      Piece &piece = pieces_[p];
+        motions.row(i) = motions_.row(piece.unknowns[static_cast<std::size_t>(n_t + i)] - t.cols());
+      w += weight_ * motions * motions.transpose();
       piece.factor.compute(matrix);
-      for (const Index column : t_columns)
-      {
-        if (owner(t, column) == p)
-          piece.own.push_back(static_cast<Index>(piece.unknowns.size()));
-        piece.unknowns.push_back(column);
-      }
-      for (const Index column : u_columns)
-      {
-        if (owner(u.values, column) == p)
-          piece.own.push_back(static_cast<Index>(piece.unknowns.size()));
-        piece.unknowns.push_back(t.cols() + column);
-      }
     }
   }
 

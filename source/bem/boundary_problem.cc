@@ -83,20 +83,20 @@ namespace abut
                                                       const double tolerance) const
   {
     unknowns_.check_balance(known);
-    const Kernels kernels = this->kernels(tolerance);
+    const AllKernels kernels = this->kernels(tolerance);
     // What is given: t_N, and u_D as the part of the displacement along supported directions.
     const Eigen::VectorXd given = unknowns_.given(known.displacement);
     const DisplacementBasis u_d = unknowns_.densities(given);
     Eigen::VectorXd right_side(unknowns_.size());
     right_side << .5 * unknowns_.mass(unknowns_.tractions(), u_d.values).toDense(),
         .5 * unknowns_.mass(unknowns_.free().values, as_basis(known.traction)).toDense();
-    right_side -= multiply(known.traction, u_d, kernels);
-    const std::optional<Eigen::VectorXd> x = solve_system(right_side, kernels, tolerance);
+    right_side -= multiply(known.traction, u_d, kernels.all);
+    const std::optional<Eigen::VectorXd> x = solve_system(right_side, kernels.far, tolerance);
     if (!x)
       return {};
     BoundaryState state{known.traction + unknowns_.tractions() * x->head(unknowns_.tractions().cols()),
                         given + unknowns_.displacements() * x->tail(unknowns_.displacements().cols())};
-    place_holes(state, kernels);
+    place_holes(state, kernels.all);
     return state;
   }
 

@@ -184,12 +184,22 @@ namespace abut
             as_basis(space_.displacements().slopes * displacement)};
   }
 
-  LegendreBasis BoundaryUnknowns::mass(const LegendreBasis &left, const LegendreBasis &right) const
+  Eigen::VectorXd BoundaryUnknowns::lengths() const
   {
     Eigen::VectorXd lengths(space_.n_elements());
     for (Index i = 0; i < lengths.size(); ++i)
       lengths[i] = space_.elements()[static_cast<std::size_t>(i)].length;
-    return legendre_mass(lengths, space_.density_degree(), left, right);
+    return lengths;
+  }
+
+  LegendreBasis BoundaryUnknowns::mass(const LegendreBasis &left, const LegendreBasis &right) const
+  {
+    return legendre_mass(lengths(), space_.density_degree(), left, right);
+  }
+
+  Eigen::MatrixX2d BoundaryUnknowns::integrals(const LegendreBasis &basis) const
+  {
+    return legendre_integrals(lengths(), space_.density_degree(), basis);
   }
 
   void BoundaryUnknowns::check_balance(const BoundaryState &known) const

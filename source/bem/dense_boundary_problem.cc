@@ -67,11 +67,12 @@ namespace abut
       schur_complement_ = cholesky(std::move(schur), displacement_scale_, "Schur complement");
   }
 
-  BoundaryProblem::Kernels DenseBoundaryProblem::kernels(const double) const
+  BoundaryProblem::AllKernels DenseBoundaryProblem::kernels(const double) const
   {
-    return [this](const KernelDensities &densities) {
-      return operators_.kernels().multiply(densities, densities.traction);
-    };
+    return {[this](const KernelDensities &densities) {
+              return operators_.kernels().multiply(densities, densities.traction);
+            },
+            {}};
   }
 
   std::optional<Eigen::VectorXd> DenseBoundaryProblem::solve_system(const Eigen::VectorXd &right_side,

@@ -5,6 +5,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace abut
 {
@@ -39,30 +40,35 @@ namespace abut
                                            const unsigned int traction_degree, const double poisson_ratio,
                                            const GalerkinRule &rule)
       : BoundaryProblem(space, supported, traction_degree, poisson_ratio),
-        kernels_(space.elements(), space.density_degree(), rule),
-        pieces_(space, unknowns(), poisson_ratio, rule)
+        kernels_(space.elements(), space.density_degree(), rule), near_(kernels_, unknowns(), poisson_ratio),
+        pieces_(unknowns(), near_)
   {}
 
-  BoundaryProblem::Kernels FastBoundaryProblem::kernels(const double tolerance) const
+  BoundaryProblem::AllKernels FastBoundaryProblem::kernels(const double tolerance) const
   {
-    return [this, expansions = FastKernels::Expansions(kernels_, tolerance)](
-               const KernelDensities &densities) { return kernels_.multiply(densities, expansions); };
+    const auto expansions = std::make_shared<const FastKernels::Expansions>(kernels_, tolerance);
+    return {[this, expansions](const KernelDensities &densities) {
+              return kernels_.multiply(densities, *expansions);
+            },
+            [this, expansions](const KernelDensities &densities) {
+              return kernels_.multiply_far(densities, *expansions);
+            }};
   }
 
-  Eigen::VectorXd FastBoundaryProblem::multiply_unknowns(const Eigen::VectorXd &x,
-                                                         const Kernels &kernels) const
+  Eigen::VectorXd FastBoundaryProblem::multiply_unknowns(const Eigen::VectorXd &x, const Kernels &far) const
   {
     const Index n_displacements = unknowns().displacements().cols();
     const Eigen::VectorXd u = x.tail(n_displacements);
     Eigen::VectorXd result =
         multiply(unknowns().tractions() * x.head(unknowns().tractions().cols()),
-                 {as_basis(unknowns().free().values * u), as_basis(unknowns().free().slopes * u)}, kernels);
+                 {as_basis(unknowns().free().values * u), as_basis(unknowns().free().slopes * u)}, far);
+    near_.add_product(x, result);
     result.tail(n_displacements) += pieces_.hold_motions(u);
     return result;
   }
 
   std::optional<Eigen::VectorXd> FastBoundaryProblem::solve_system(const Eigen::VectorXd &right_side,
-                                                                   const Kernels &kernels,
+                                                                   const Kernels &far,
                                                                    const double tolerance) const
   {
     const Eigen::VectorXd start = pieces_.solve(right_side);
@@ -73,8 +79,8 @@ namespace abut
     dealii::SolverGMRES<Deal> gmres(control, dealii::SolverGMRES<Deal>::AdditionalData(most_steps + 2));
     try
     {
-      gmres.solve(operation([&](const Eigen::VectorXd &x) { return multiply_unknowns(x, kernels); }),
-                  solution, load, operation([&](const Eigen::VectorXd &x) { return pieces_.solve(x); }));
+      gmres.solve(operation([&](const Eigen::VectorXd &x) { return multiply_unknowns(x, far); }), solution,
+                  load, operation([&](const Eigen::VectorXd &x) { return pieces_.solve(x); }));
     }
     catch (const dealii::SolverControl::NoConvergence &)
     {

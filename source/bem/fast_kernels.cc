@@ -156,6 +156,18 @@ namespace abut
 
   KernelProducts FastKernels::multiply(const KernelDensities &densities, const Expansions &expansions) const
   {
+    return multiply(densities, expansions, true);
+  }
+
+  KernelProducts FastKernels::multiply_far(const KernelDensities &densities,
+                                           const Expansions &expansions) const
+  {
+    return multiply(densities, expansions, false);
+  }
+
+  KernelProducts FastKernels::multiply(const KernelDensities &densities, const Expansions &expansions,
+                                       const bool with_near) const
+  {
     const Index size = degree_ + 1, n = static_cast<Index>(elements_.size()) * size;
     AssertDimension(densities.traction.size(), n);
     AssertDimension(densities.displacement.size(), n);
@@ -165,7 +177,8 @@ namespace abut
                                  into_tree(densities.slope, tree_, size)};
     const Eigen::VectorXcd zero = Eigen::VectorXcd::Zero(n);
     KernelProducts products{zero, zero, zero, zero, zero, zero};
-    add_near(sorted, products);
+    if (with_near)
+      add_near(sorted, products);
     add_far(sorted, expansions, products);
     for (Eigen::VectorXcd *product :
          {&products.traction_log, &products.traction_even, &products.slope_log, &products.slope_even,

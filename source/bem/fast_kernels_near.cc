@@ -6,6 +6,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace abut
 {
@@ -55,43 +56,44 @@ namespace abut
 
   void FastKernels::integrate_near(const GalerkinRule &rule)
   {
-    const Index size = degree_ + 1;
     PairIntegrator integrator(elements_, degree_, rule);
-    std::vector<std::size_t> leaf_of(elements_.size());
     for (std::size_t i = 0; i < near_.size(); ++i)
-      if (tree_.clusters()[i].is_leaf())
-        for (std::size_t e = tree_.clusters()[i].first; e < tree_.clusters()[i].last; ++e)
-          leaf_of[e] = i;
-    // The block of two elements in the rows of the first's leaf.
-    const auto set = [&](const std::size_t first, const std::size_t second, const PairBlock &log,
-                         const PairBlock &even_real, const PairBlock &even_imag,
-                         const PairBlock &double_layer) {
-      NearRows &rows = near_[leaf_of[first]];
-      const std::size_t leaf = leaf_of[second];
-      const auto place = static_cast<std::size_t>(std::find(rows.leaves.begin(), rows.leaves.end(), leaf) -
-                                                  rows.leaves.begin());
-      AssertIndexRange(place, rows.leaves.size());
-      const Index row = static_cast<Index>(first) * size - first_row(leaf_of[first]),
-                  column = static_cast<Index>(second) * size - first_row(leaf) + rows.columns[place];
-      rows.log.block(row, column, size, size) = log;
-      rows.even_real.block(row, column, size, size) = even_real;
-      rows.even_imag.block(row, column, size, size) = even_imag;
-      rows.double_layer.block(row, column, size, size) = double_layer;
+      for (const std::size_t other : near_[i].leaves)
+        if (tree_.clusters()[other].first >= tree_.clusters()[i].first)
+          integrate_near(i, other, integrator);
+  }
+
+  void FastKernels::integrate_near(const std::size_t leaf, const std::size_t other,
+                                   PairIntegrator &integrator)
+  {
+    const auto column_of = [&](const std::size_t row_leaf, const std::size_t column_leaf) {
+      const NearRows &rows = near_[row_leaf];
+      const auto place = std::find(rows.leaves.begin(), rows.leaves.end(), column_leaf) - rows.leaves.begin();
+      AssertIndexRange(static_cast<std::size_t>(place), rows.leaves.size());
+      return rows.columns[static_cast<std::size_t>(place)];
+    };
+    const ClusterTree::Cluster &own = tree_.clusters()[leaf], &others = tree_.clusters()[other];
+    const Index size = degree_ + 1, column_of_other = column_of(leaf, other),
+                column_of_own = column_of(other, leaf);
+    // Where the block of an element as the row and another one as the column begins.
+    const auto place = [&](const std::size_t first, const std::size_t second) {
+      const bool is_own = first < own.last;
+      return std::make_tuple(is_own ? leaf : other,
+                             static_cast<Index>(first - (is_own ? own : others).first) * size,
+                             (is_own ? column_of_other : column_of_own) +
+                                 static_cast<Index>(second - (is_own ? others : own).first) * size);
     };
     const auto visit = [&](const std::size_t first, const std::size_t second,
                            const PairIntegrals &integrals) {
-      set(first, second, integrals.log, integrals.even_real, integrals.even_imag, integrals.double_layer);
-      if (first != second)
-        set(second, first, integrals.log.transpose(), integrals.even_real.transpose(),
-            integrals.even_imag.transpose(), integrals.reversed.transpose());
+      const auto [leaf_of_first, row, column] = place(first, second);
+      near_[leaf_of_first].set(row, column, integrals);
+      if (first == second)
+        return;
+      const auto [leaf_of_second, reversed_row, reversed_column] = place(second, first);
+      near_[leaf_of_second].set_reversed(reversed_row, reversed_column, integrals);
     };
-    for (std::size_t e = 0; e < elements_.size(); ++e)
-      for (const std::size_t leaf : near_[leaf_of[e]].leaves)
-      {
-        const ClusterTree::Cluster &other = tree_.clusters()[leaf];
-        if (other.last > e)
-          integrator.integrate(e, std::max(e, other.first), other.last, visit);
-      }
+    for (std::size_t e = own.first; e < own.last; ++e)
+      integrator.integrate(e, std::max(e, others.first), others.last, visit);
   }
 
   void FastKernels::add_near(const KernelDensities &densities, KernelProducts &products) const

@@ -39,6 +39,31 @@ namespace abut
       *matrix = large_matrix(rows, columns);
   }
 
+  void KernelBlock::set(const Eigen::Index row, const Eigen::Index column, const PairIntegrals &integrals)
+  {
+    for (Eigen::Index j = 0; j < integrals.log.cols(); ++j)
+      for (Eigen::Index i = 0; i < integrals.log.rows(); ++i)
+      {
+        log(row + i, column + j) = integrals.log(i, j);
+        even_real(row + i, column + j) = integrals.even_real(i, j);
+        even_imag(row + i, column + j) = integrals.even_imag(i, j);
+        double_layer(row + i, column + j) = integrals.double_layer(i, j);
+      }
+  }
+
+  void KernelBlock::set_reversed(const Eigen::Index row, const Eigen::Index column,
+                                 const PairIntegrals &integrals)
+  {
+    for (Eigen::Index j = 0; j < integrals.log.rows(); ++j)
+      for (Eigen::Index i = 0; i < integrals.log.cols(); ++i)
+      {
+        log(row + i, column + j) = integrals.log(j, i);
+        even_real(row + i, column + j) = integrals.even_real(j, i);
+        even_imag(row + i, column + j) = integrals.even_imag(j, i);
+        double_layer(row + i, column + j) = integrals.reversed(j, i);
+      }
+  }
+
   KernelProducts KernelBlock::multiply(const KernelDensities &densities,
                                        const Eigen::VectorXcd &own_traction) const
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bem/boundary_unknowns.h>
+#include <abut/bem/near_system.h>
 
 #include <Eigen/LU>
 
@@ -17,8 +17,7 @@ namespace abut
   class BoundaryPieces
   {
   public:
-    BoundaryPieces(const BoundarySpace &space, const BoundaryUnknowns &unknowns, double poisson_ratio,
-                   const GalerkinRule &rule);
+    BoundaryPieces(const BoundaryUnknowns &unknowns, const NearSystem &near);
 
     Eigen::VectorXd solve(const Eigen::VectorXd &right_side) const;
     /// What keeps free rigid motions and those of holes from making W singular: a term of their rank, of the

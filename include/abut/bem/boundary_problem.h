@@ -41,6 +41,11 @@ namespace abut
   protected:
     /// Products with the KernelMatrices of all elements.
     using Kernels = std::function<KernelProducts(const KernelDensities &)>;
+    struct AllKernels
+    {
+      Kernels all;
+      Kernels far; ///< what solve_system has in no other way
+    };
 
     /// `supported`: unit directions, none, one or two, for every element. Tractions are sought in polynomials
     /// of `traction_degree`. The space must outlive the problem.
@@ -54,10 +59,10 @@ namespace abut
 
   private:
     /// To a relative accuracy.
-    virtual Kernels kernels(double tolerance) const = 0;
+    virtual AllKernels kernels(double tolerance) const = 0;
     /// The unknowns, tractions first.
-    virtual std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side,
-                                                        const Kernels &kernels, double tolerance) const = 0;
+    virtual std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side, const Kernels &far,
+                                                        double tolerance) const = 0;
 
     /// Legendre coefficients of V t - K u; of K^T t + W u against the values and the slopes of displacements.
     struct Products

@@ -52,10 +52,13 @@ namespace abut
     DisplacementBasis densities(const Eigen::VectorXd &displacement) const;
     /// <left, right>
     LegendreBasis mass(const LegendreBasis &left, const LegendreBasis &right) const;
+    /// Over the boundary, of both components of every column.
+    Eigen::MatrixX2d integrals(const LegendreBasis &basis) const;
     /// Throws ComputationError where a load is not balanced about a rigid motion.
     void check_balance(const BoundaryState &known) const;
 
   private:
+    Eigen::VectorXd lengths() const;
     void choose(const std::vector<std::vector<Vector2>> &supported, unsigned int traction_degree);
     Eigen::MatrixXd free_motions(const std::vector<unsigned int> &nodes) const;
     void find_rigid_motions();

@@ -19,8 +19,8 @@ namespace abut
 
   private:
     void factorise();
-    Kernels kernels(double tolerance) const override;
-    std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side, const Kernels &kernels,
+    AllKernels kernels(double tolerance) const override;
+    std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side, const Kernels &far,
                                                 double tolerance) const override;
 
     LayerOperators operators_;

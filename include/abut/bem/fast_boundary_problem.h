@@ -4,12 +4,13 @@
 #include <abut/bem/boundary_pieces.h>
 #include <abut/bem/boundary_problem.h>
 #include <abut/bem/fast_kernels.h>
+#include <abut/bem/near_system.h>
 
 namespace abut
 {
   /**
-   * Without matrices: [V_DD, -K_DN; K_DN^T, W_NN] is multiplied with by FastKernels, and the system solved by
-   * GMRES with BoundaryPieces as preconditioner.
+   * [V_DD, -K_DN; K_DN^T, W_NN] is multiplied with by NearSystem and, what is far, FastKernels, and the
+   * system solved by GMRES with BoundaryPieces as preconditioner.
    */
   class FastBoundaryProblem : public BoundaryProblem
   {
@@ -19,13 +20,14 @@ namespace abut
                         unsigned int traction_degree, double poisson_ratio, const GalerkinRule &rule);
 
   private:
-    Kernels kernels(double tolerance) const override;
-    std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side, const Kernels &kernels,
+    AllKernels kernels(double tolerance) const override;
+    std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side, const Kernels &far,
                                                 double tolerance) const override;
     /// The whole operator.
-    Eigen::VectorXd multiply_unknowns(const Eigen::VectorXd &x, const Kernels &kernels) const;
+    Eigen::VectorXd multiply_unknowns(const Eigen::VectorXd &x, const Kernels &far) const;
 
     FastKernels kernels_;
+    NearSystem near_;
     BoundaryPieces pieces_;
   };
 } // namespace abut

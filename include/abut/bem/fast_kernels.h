@@ -4,6 +4,7 @@
 #include <abut/bem/galerkin_rule.h>
 #include <abut/bem/holomorphic_series.h>
 #include <abut/bem/kernel_products.h>
+#include <abut/bem/pair_integrator.h>
 
 #include <Eigen/Core>
 
@@ -27,6 +28,16 @@ namespace abut
     FastKernels(const std::vector<BoundaryElement> &elements, unsigned int degree, const GalerkinRule &rule);
 
     unsigned int degree() const { return degree_; }
+    const ClusterTree &tree() const { return tree_; }
+
+    /// A leaf's rows of the matrices, in the columns of the leaves near to it.
+    struct NearRows : KernelBlock
+    {
+      std::vector<std::size_t> leaves;   ///< clusters
+      std::vector<Eigen::Index> columns; ///< where those of each begin
+    };
+    /// Of every cluster; without leaves but for leaves.
+    const std::vector<NearRows> &near() const { return near_; }
 
     /// What expansions of one accuracy need.
     class Expansions
@@ -46,22 +57,21 @@ namespace abut
     };
 
     KernelProducts multiply(const KernelDensities &densities, const Expansions &expansions) const;
+    /// Without the pairs of near().
+    KernelProducts multiply_far(const KernelDensities &densities, const Expansions &expansions) const;
 
   private:
     /// Of series from term to term.
     static constexpr double convergence = .4;
 
-    /// A leaf's rows of the matrices, in the columns of the leaves near to it.
-    struct NearRows : KernelBlock
-    {
-      std::vector<std::size_t> leaves;   ///< clusters
-      std::vector<Eigen::Index> columns; ///< where those of each begin
-    };
-
     /// Decides which of two clusters is divided; never both, so that neighbours are so mutually.
     bool is_larger(std::size_t a, std::size_t b) const;
     void find_neighbours(std::size_t target, const std::vector<std::size_t> &sources);
     void integrate_near(const GalerkinRule &rule);
+    /// Of two leaves, the second one not before the first.
+    void integrate_near(std::size_t leaf, std::size_t other, PairIntegrator &integrator);
+    KernelProducts multiply(const KernelDensities &densities, const Expansions &expansions,
+                            bool with_near) const;
     Eigen::Index first_row(std::size_t cluster) const;
     Eigen::Index n_rows(std::size_t cluster) const;
     void add_near(const KernelDensities &densities, KernelProducts &products) const;

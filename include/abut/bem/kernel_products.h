@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <abut/bem/boundary_element.h>
+#include <abut/bem/pair_integrals.h>
 
 #include <Eigen/Core>
 
@@ -34,6 +34,9 @@ namespace abut
     Eigen::MatrixXd double_layer;
 
     void resize(Eigen::Index rows, Eigen::Index columns);
+    /// The block of two elements that begins there, and that of the elements in the other order.
+    void set(Eigen::Index row, Eigen::Index column, const PairIntegrals &integrals);
+    void set_reversed(Eigen::Index row, Eigen::Index column, const PairIntegrals &integrals);
     /// `densities` stand on the elements of the columns, `own_traction` on those of the rows.
     KernelProducts multiply(const KernelDensities &densities, const Eigen::VectorXcd &own_traction) const;
   };

@@ -3,25 +3,10 @@
 
 #include <abut/bem/elastic_kernels.h>
 #include <abut/bem/kernel_matrices.h>
-
-#include <Eigen/SparseCore>
+#include <abut/bem/legendre_basis.h>
 
 namespace abut
 {
-  /**
-   * A basis of fields on the boundary: a column for every unknown, a row for every component, element and
-   * Legendre polynomial; row = component n + element (degree + 1) + degree of the polynomial, n the size of
-   * the KernelMatrices.
-   */
-  using LegendreBasis = Eigen::SparseMatrix<double>;
-
-  /// Continuous displacements, or one such displacement as a single column.
-  struct DisplacementBasis
-  {
-    LegendreBasis values;
-    LegendreBasis slopes; ///< derivatives with respect to arc length, with the body on the left
-  };
-
   /**
    * The boundary operators of plane strain for G = 1, V, K and W of t = traction, u = displacement on the
    * boundary of a body. With k = 3 - 4 nu and the fundamental solution
@@ -57,20 +42,10 @@ namespace abut
     LegendreBasis mass(const LegendreBasis &left, const LegendreBasis &right) const;
 
   private:
-    using Kernel = ElasticKernels::Kernel;
-
     /// <left, potential of right>; half of it is computed where both are the same object.
-    Eigen::MatrixXd symmetric(const Kernel &kernel, const LegendreBasis &left,
+    Eigen::MatrixXd symmetric(const ElasticKernels::Kernel &kernel, const LegendreBasis &left,
                               const LegendreBasis &right) const;
-    /// Adds the potential of a density, `value` times the Legendre polynomial of the row, in one component:
-    /// in the rows of both components from `first` on.
-    void add(const Kernel &kernel, Eigen::Index component, Eigen::Index row, double value, Eigen::Index first,
-             Eigen::VectorXd &potential) const;
-    /// Of a column of a basis.
-    void add(const Kernel &kernel, const LegendreBasis &basis, Eigen::Index column, Eigen::Index first,
-             Eigen::VectorXd &potential) const;
-    void add_double_layer(const DisplacementBasis &basis, Eigen::Index column,
-                          Eigen::VectorXd &potential) const;
+    Eigen::MatrixX2d integrals(const LegendreBasis &basis) const;
 
     KernelMatrices kernels_;
     double poisson_ratio_;
@@ -80,6 +55,10 @@ namespace abut
   /// <left, right>, from the lengths of the elements and the degree of the polynomials.
   LegendreBasis legendre_mass(const Eigen::VectorXd &lengths, unsigned int degree, const LegendreBasis &left,
                               const LegendreBasis &right);
+
+  /// The integrals over the boundary of both components of every column.
+  Eigen::MatrixX2d legendre_integrals(const Eigen::VectorXd &lengths, unsigned int degree,
+                                      const LegendreBasis &basis);
 
   /// A known field, in the rows of a LegendreBasis, as a basis of its own.
   LegendreBasis as_basis(const Eigen::VectorXd &field);
