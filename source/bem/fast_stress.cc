@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/executor.h>
+#include <abut/base/vector_versions.h>
 #include <abut/bem/fast_stress.h>
 
 #include <deal.II/base/exceptions.h>
@@ -39,6 +40,53 @@ namespace abut
         discs.push_back(disc);
       }
       return discs;
+    }
+
+    /// Points that are told apart near elements only, and their sums.
+    struct PointLanes
+    {
+      double x[points_together], y[points_together];
+      double q_imag[points_together], p_real[points_together], p_imag[points_together];
+    };
+
+    /// (re + i im) (x + i y) + add
+    inline void horner_step(double &re, double &im, const double x, const double y, const double add_re,
+                            const double add_im)
+    {
+      const double product_re = re * x - im * y;
+      im = re * y + im * x + add_im;
+      re = product_re + add_re;
+    }
+
+    /// A and B + conj(y) A' by Horner's scheme; `terms` has real and imaginary parts of both series in turn.
+    ABUT_VECTOR_VERSIONS
+    void evaluate_series(const double *const terms, const Index n_terms, PointLanes &lanes)
+    {
+      double x[points_together], y[points_together];
+      double a_re[points_together] = {}, a_im[points_together] = {}, slope_re[points_together] = {},
+             slope_im[points_together] = {}, b_re[points_together] = {}, b_im[points_together] = {};
+      for (std::size_t i = 0; i < points_together; ++i)
+      {
+        x[i] = lanes.x[i];
+        y[i] = lanes.y[i];
+      }
+      for (Index m = n_terms; m-- > 0;)
+      {
+        const double term_a_re = terms[4 * m], term_a_im = terms[4 * m + 1], term_b_re = terms[4 * m + 2],
+                     term_b_im = terms[4 * m + 3];
+        for (std::size_t i = 0; i < points_together; ++i)
+        {
+          horner_step(slope_re[i], slope_im[i], x[i], y[i], a_re[i], a_im[i]);
+          horner_step(a_re[i], a_im[i], x[i], y[i], term_a_re, term_a_im);
+          horner_step(b_re[i], b_im[i], x[i], y[i], term_b_re, term_b_im);
+        }
+      }
+      for (std::size_t i = 0; i < points_together; ++i)
+      {
+        lanes.q_imag[i] = a_im[i];
+        lanes.p_real[i] = b_re[i] + x[i] * slope_re[i] + y[i] * slope_im[i];
+        lanes.p_imag[i] = b_im[i] + x[i] * slope_im[i] - y[i] * slope_re[i];
+      }
     }
 
     template <typename T> std::vector<T> in_order(const std::vector<T> &values, const ClusterTree &tree)
@@ -184,29 +232,28 @@ namespace abut
   void FastStress::add_incoming(Targets &targets, const std::size_t cluster,
                                 const HolomorphicSeries &incoming) const
   {
-    const Disc &disc = targets.tree.clusters()[cluster].disc;
-    targets.visit(cluster, [&](const std::size_t point) {
-      // Horner's scheme, without std::complex, which looks for overflow in every product.
-      const Complex y = (targets.points[point] - disc.centre) / disc.radius;
-      const double y_re = y.real(), y_im = y.imag();
-      double a_re = 0., a_im = 0., slope_re = 0., slope_im = 0., b_re = 0., b_im = 0.;
-      const auto step = [&](double &re, double &im, const double add_re, const double add_im) {
-        const double product_re = re * y_re - im * y_im;
-        im = re * y_im + im * y_re + add_im;
-        re = product_re + add_re;
-      };
-      for (Index m = incoming.rows(); m-- > 0;)
+    const ClusterTree::Cluster &members = targets.tree.clusters()[cluster];
+    for (std::size_t member = members.first; member < members.last; ++member)
+    {
+      const std::size_t first = targets.tree.order()[member] * points_together,
+                        n = std::min(points_together, targets.points.size() - first);
+      PointLanes lanes;
+      for (std::size_t i = 0; i < points_together; ++i)
       {
-        const Complex a = incoming(m, column_a), b = incoming(m, column_b);
-        step(slope_re, slope_im, a_re, a_im);
-        step(a_re, a_im, a.real(), a.imag());
-        step(b_re, b_im, b.real(), b.imag());
+        const Complex y =
+            (targets.points[first + std::min(i, n - 1)] - members.disc.centre) / members.disc.radius;
+        lanes.x[i] = y.real();
+        lanes.y[i] = y.imag();
       }
-      StressSums &sums = targets.sums[point];
-      sums.q_imag += a_im;
-      sums.p_real += b_re + y_re * slope_re + y_im * slope_im;
-      sums.p_imag += b_im + y_re * slope_im - y_im * slope_re;
-    });
+      evaluate_series(reinterpret_cast<const double *>(incoming.data()), incoming.rows(), lanes);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        StressSums &sums = targets.sums[first + i];
+        sums.q_imag += lanes.q_imag[i];
+        sums.p_real += lanes.p_real[i];
+        sums.p_imag += lanes.p_imag[i];
+      }
+    }
   }
 
   void FastStress::add_near(Targets &targets, const std::size_t cluster,

@@ -50,8 +50,12 @@ namespace abut
                   HolomorphicSeries &to) const;
 
   private:
+    /// k over m times step^(k-m), a row for every k.
+    Eigen::MatrixXd shifted_binomials(double step) const;
+
     unsigned int order_;
     std::vector<Companions> companions_;
-    Eigen::MatrixXd across_; ///< incoming (columns) from outgoing terms, in units of radius by distance
+    Eigen::MatrixXd binomials_; ///< k over m
+    Eigen::MatrixXd across_;    ///< incoming (columns) from outgoing terms, in units of radius by distance
   };
 } // namespace abut
