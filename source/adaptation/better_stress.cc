@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/adaptation/better_stress.h>
-#include <abut/bodies/body.h>
+#include <abut/bodies/finite_elements/cell_materials.h>
+#include <abut/bodies/finite_elements/finite_element_body.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -11,6 +12,11 @@ namespace abut
 {
   namespace
   {
+    std::vector<Material> materials_of(const Body &body)
+    {
+      return materials_of_cells(as_finite_elements(body, "Adaptation/Estimator"));
+    }
+
     StressVisitor collector(OwnStress &own)
     {
       return [&own](const SamplePoint &point, const Stress &stress) {
@@ -37,7 +43,7 @@ namespace abut
   CellErrors compare(const Body &body, const OwnStress &own, const std::vector<Stress> &better)
   {
     AssertDimension(own.points.size(), better.size());
-    const std::vector<CellInfo> cells = body.cells();
+    const std::vector<Material> materials = materials_of(body);
     CellErrors errors;
     errors.stress = errors.energy = errors.areas =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(body.counts().cells));
@@ -46,7 +52,7 @@ namespace abut
       const SamplePoint &point = own.points[i];
       const Stress difference = better[i] - own.values[i];
       const auto cell = static_cast<Eigen::Index>(point.cell);
-      const Material &material = cells[point.cell].material;
+      const Material &material = materials[point.cell];
       errors.stress[cell] += point.weight * difference.square();
       errors.energy[cell] += point.weight * material.energy_density(difference);
       errors.areas[cell] += point.weight;
@@ -72,14 +78,14 @@ namespace abut
     AssertDimension(own.points.size(), better.size());
     if (better.empty())
       return;
-    const std::vector<CellInfo> cells = body.cells();
+    const std::vector<Material> materials = materials_of(body);
     std::map<unsigned int, std::pair<double, double>> squares; // of the stress and of the energy, by cell
     for (std::size_t i = 0; i < better.size(); ++i)
     {
       const SamplePoint &point = own.points[i];
       const Stress difference = better[i] - own.values[i];
       squares[point.cell].first += point.weight * difference.square();
-      squares[point.cell].second += point.weight * cells[point.cell].material.energy_density(difference);
+      squares[point.cell].second += point.weight * materials[point.cell].energy_density(difference);
     }
     for (const auto &[cell, square] : squares)
     {

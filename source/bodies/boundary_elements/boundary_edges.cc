@@ -73,16 +73,6 @@ namespace abut
       return {side.basis().degree(), static_cast<unsigned int>(segments.front().points.size()) - 1, segments,
               dofs};
     }
-    /// The materials of all cells.
-    std::vector<Material> materials_of_cells(const FiniteElementBody &body)
-    {
-      const CellMaterials of_cell(body.description());
-      std::vector<Material> materials;
-      for (const auto &cell : body.space().dof_handler().active_cell_iterators())
-        materials.push_back(of_cell(cell));
-      return materials;
-    }
-
     /// Where one edge ends and another one begins.
     struct Vertex
     {

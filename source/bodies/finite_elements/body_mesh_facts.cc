@@ -89,6 +89,15 @@ namespace abut
     return crowded;
   }
 
+  std::vector<Material> materials_of_cells(const FiniteElementBody &body)
+  {
+    const CellMaterials of_cell(body.description());
+    std::vector<Material> materials;
+    for (const auto &cell : body.space().dof_handler().active_cell_iterators())
+      materials.push_back(of_cell(cell));
+    return materials;
+  }
+
   std::vector<Vector2> FiniteElementBody::singular_vertices() const
   {
     return abut::singular_vertices(*this, SingularVertices::everywhere);

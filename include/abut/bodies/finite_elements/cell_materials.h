@@ -10,6 +10,8 @@
 
 namespace abut
 {
+  class FiniteElementBody;
+
   /// The material of every cell: that of the body or of its region (material id: the number of the region in
   /// `Regions`, from 1 on).
   class CellMaterials
@@ -28,4 +30,7 @@ namespace abut
   private:
     std::vector<Material> materials_;
   };
+
+  /// Of all cells, by their active index.
+  std::vector<Material> materials_of_cells(const FiniteElementBody &body);
 } // namespace abut
