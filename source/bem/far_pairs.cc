@@ -106,15 +106,17 @@ namespace abut
     AssertIndexRange(lane, n_lanes);
     AssertDimension(integrals.log.rows(), static_cast<Eigen::Index>(degree_ + 1));
     const double scale = scale_[lane], by_two_pi = scale / (2. * M_PI);
+    const std::array<double, n_kernels> factors = {{.5 * scale, scale, scale, -by_two_pi, by_two_pi}};
+    const std::array<double *, n_kernels> blocks = {
+        {integrals.log.data(), integrals.even_real.data(), integrals.even_imag.data(),
+         integrals.double_layer.data(), integrals.reversed.data()}};
+    std::size_t place = 0;
     for (unsigned int j = 0; j <= degree_; ++j)
-      for (unsigned int i = 0; i <= degree_; ++i)
+      for (unsigned int i = 0; i <= degree_; ++i, ++place)
       {
-        const double *const value = integrals_[i][j].data() + lane;
-        integrals.log(i, j) = .5 * scale * value[0];
-        integrals.even_real(i, j) = scale * value[n_lanes];
-        integrals.even_imag(i, j) = scale * value[2 * n_lanes];
-        integrals.double_layer(i, j) = -by_two_pi * value[3 * n_lanes];
-        integrals.reversed(i, j) = by_two_pi * value[4 * n_lanes];
+        const double *const values = integrals_[i][j].data() + lane;
+        for (std::size_t k = 0; k < n_kernels; ++k)
+          blocks[k][place] = factors[k] * values[k * n_lanes];
       }
   }
 } // namespace abut

@@ -6,6 +6,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace abut
 {
@@ -13,6 +14,32 @@ namespace abut
   {
     /// Elements per tile: the blocks of two tiles, in all matrices, stay in the cache.
     constexpr std::size_t tile_size = 32;
+
+    // By pointers: there are very many small blocks.
+    void set_block(const PairBlock &block, const Eigen::Index row, const Eigen::Index column,
+                   Eigen::MatrixXd &matrix)
+    {
+      const Eigen::Index size = block.rows();
+      const double *from = block.data();
+      for (Eigen::Index j = 0; j < size; ++j)
+      {
+        double *const to = matrix.data() + (column + j) * matrix.rows() + row;
+        for (Eigen::Index i = 0; i < size; ++i)
+          to[i] = *from++;
+      }
+    }
+    void set_transposed_block(const PairBlock &block, const Eigen::Index row, const Eigen::Index column,
+                              Eigen::MatrixXd &matrix)
+    {
+      const Eigen::Index size = block.rows();
+      for (Eigen::Index i = 0; i < size; ++i)
+      {
+        const double *const from = block.data() + i;
+        double *const to = matrix.data() + (column + i) * matrix.rows() + row;
+        for (Eigen::Index j = 0; j < size; ++j)
+          to[j] = from[j * size];
+      }
+    }
   } // namespace
 
   KernelMatrices::KernelMatrices(const std::vector<BoundaryElement> &elements, const unsigned int degree)
@@ -29,17 +56,15 @@ namespace abut
     AssertIndexRange(static_cast<Eigen::Index>(second), lengths.size());
     const Eigen::Index size = degree + 1, row = static_cast<Eigen::Index>(first) * size,
                        column = static_cast<Eigen::Index>(second) * size;
-    // The second element is mostly the later one: down its rows.
-    for (Eigen::Index i = 0; i < size; ++i)
-      for (Eigen::Index j = 0; j < size; ++j)
-      {
-        const Eigen::Index below = std::max(row + i, column + j), before = std::min(row + i, column + j);
-        log(below, before) = integrals.log(i, j);
-        even_real(below, before) = integrals.even_real(i, j);
-        even_imag(below, before) = integrals.even_imag(i, j);
-        double_layer(row + i, column + j) = integrals.double_layer(i, j);
-        double_layer(column + j, row + i) = integrals.reversed(i, j);
-      }
+    for (auto &[matrix, block] : {std::pair(&log, &integrals.log),
+                                  {&even_real, &integrals.even_real},
+                                  {&even_imag, &integrals.even_imag}})
+      if (first > second)
+        set_block(*block, row, column, *matrix);
+      else
+        set_transposed_block(*block, column, row, *matrix);
+    set_block(integrals.double_layer, row, column, double_layer);
+    set_transposed_block(integrals.reversed, column, row, double_layer);
   }
 
   void KernelMatrices::complete()
