@@ -13,7 +13,7 @@ namespace abut
     double share = 1e-3; ///< error, as a share of what is estimated; 0: always all pairs
     // From so many on the fast way is faster, see doc/estimator.md.
     std::size_t least_elements = 100;     ///< of the stress inside
-    std::size_t least_coefficients = 800; ///< of the solution, per component of a density
+    std::size_t least_coefficients = 600; ///< of the solution, per component of a density
 
     bool evaluates_fast(const std::size_t n_elements) const
     {
