@@ -62,12 +62,12 @@ namespace abut
             interior_(space_.mapping(), space_.dof_handler().get_fe(), space_.quadrature(),
                       dealii::update_hessians | dealii::update_JxW_values | dealii::update_quadrature_points),
             dofs_(space_.dof_handler().get_fe().n_dofs_per_cell()), other_dofs_(dofs_),
-            squares_(space_.mesh().triangulation.n_active_cells())
+            squares_(space_.n_cells())
       {}
 
-      std::vector<Squares> run()
+      void run()
       {
-        for (const auto &cell : space_.dof_handler().active_cell_iterators())
+        for (const auto &cell : space_.own_cells())
         {
           cell->get_dof_indices(dofs_);
           if (degree_ % 2 == 0)
@@ -78,7 +78,15 @@ namespace abut
             else if (is_visited_from(cell, f))
               add_inner_face(cell, f);
         }
-        return squares_;
+      }
+
+      /// Of the stress and of the energy, by cell.
+      Eigen::VectorXd squares(double Squares::*const which) const
+      {
+        Eigen::VectorXd of_process(static_cast<Index>(squares_.size()));
+        for (std::size_t cell = 0; cell < squares_.size(); ++cell)
+          of_process[static_cast<Index>(cell)] = squares_[cell].*which;
+        return space_.sum_by_cell(std::move(of_process));
       }
 
     private:
@@ -86,8 +94,9 @@ namespace abut
       static bool is_visited_from(const Cell &cell, const unsigned int f)
       {
         const auto neighbour = cell->neighbor(f);
-        return neighbour->is_active() && (neighbour->level() < cell->level() ||
-                                          cell->active_cell_index() < neighbour->active_cell_index());
+        return neighbour->is_active() &&
+               (neighbour->level() < cell->level() ||
+                cell->global_active_cell_index() < neighbour->global_active_cell_index());
       }
 
       /// The area of a quadrilateral, or of the parallelogram that a triangle is half of. By differences of
@@ -121,8 +130,8 @@ namespace abut
           const Material &material = materials_(cell);
           const Vector2 direction =
               (material.lambda() + 2. * material.mu()) * residual + material.mu() * across;
-          squares_[cell->active_cell_index()].add(residual, direction.normalized(), material,
-                                                  factor * interior_.JxW(q));
+          squares_[cell->global_active_cell_index()].add(residual, direction.normalized(), material,
+                                                         factor * interior_.JxW(q));
         }
       }
 
@@ -155,9 +164,9 @@ namespace abut
             if (const auto partner = glue_.opposite(boundary, place_at(q)))
             {
               const Vector2 jump = traction(field_.at(cell, face_, q, dofs_) - stress_at(*partner), normal);
-              squares_[cell->active_cell_index()].add(share(materials_(cell), materials_(partner->cell)) *
-                                                          jump,
-                                                      normal, materials_(cell), inner_factor * face_.JxW(q));
+              squares_[cell->global_active_cell_index()].add(
+                  share(materials_(cell), materials_(partner->cell)) * jump, normal, materials_(cell),
+                  inner_factor * face_.JxW(q));
               continue;
             }
           const KnownTraction known = boundary_.at(face_, q, boundary, dofs_);
@@ -165,7 +174,8 @@ namespace abut
           Vector2 residual = Vector2::Zero();
           for (const Vector2 &direction : known.directions)
             residual += difference.dot(direction) * direction;
-          squares_[cell->active_cell_index()].add(residual, normal, materials_(cell), factor * face_.JxW(q));
+          squares_[cell->global_active_cell_index()].add(residual, normal, materials_(cell),
+                                                         factor * face_.JxW(q));
         }
       }
 
@@ -182,10 +192,11 @@ namespace abut
         {
           const Vector2 normal = normal_at(q);
           const Vector2 jump = traction(field_.at(cell, face_, q, dofs_) - other[q], normal);
-          squares_[cell->active_cell_index()].add(share(own, across) * jump, normal, own,
-                                                  face_factor(cell, length) * face_.JxW(q));
-          squares_[neighbour->active_cell_index()].add(share(across, own) * jump, normal, across,
-                                                       face_factor(neighbour, coarse_length) * face_.JxW(q));
+          squares_[cell->global_active_cell_index()].add(share(own, across) * jump, normal, own,
+                                                         face_factor(cell, length) * face_.JxW(q));
+          squares_[neighbour->global_active_cell_index()].add(share(across, own) * jump, normal, across,
+                                                              face_factor(neighbour, coarse_length) *
+                                                                  face_.JxW(q));
         }
       }
 
@@ -262,12 +273,10 @@ namespace abut
                       [&](const SamplePoint &, const Stress &stress) { own.push_back(stress); });
     CellErrors errors = compare(solution, own);
     errors.better.clear();
-    const std::vector<Squares> squares = Estimate(body, solution).run();
-    for (std::size_t i = 0; i < squares.size(); ++i)
-    {
-      errors.stress[static_cast<Index>(i)] = std::sqrt(squares[i].stress);
-      errors.energy[static_cast<Index>(i)] = std::sqrt(squares[i].energy);
-    }
+    Estimate estimate(body, solution);
+    estimate.run();
+    errors.stress = estimate.squares(&Squares::stress).cwiseSqrt();
+    errors.energy = estimate.squares(&Squares::energy).cwiseSqrt();
     return errors;
   }
 
@@ -279,6 +288,7 @@ namespace abut
       entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
         return std::make_unique<KellyIndicator>();
       };
+      entry.takes_distributed_meshes = true;
       entry.worth = {{.7, 1.1}, {.8, 1.5}, {.7, 1.5}};
       return entry;
     }

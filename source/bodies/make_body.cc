@@ -5,10 +5,11 @@
 namespace abut
 {
   std::unique_ptr<Body> make_body(const BodyDescription &description,
-                                  const std::vector<std::string> &contact_sides)
+                                  const std::vector<std::string> &contact_sides,
+                                  const std::shared_ptr<Processes> &processes)
   {
     if (description.is_rigid)
       return std::make_unique<RigidBody>(description, contact_sides);
-    return std::make_unique<FiniteElementBody>(description, contact_sides);
+    return std::make_unique<FiniteElementBody>(description, contact_sides, processes);
   }
 } // namespace abut

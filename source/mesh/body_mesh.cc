@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/gathered.h>
 #include <abut/base/text.h>
 #include <abut/base/user_error.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/mesh/jacobians.h>
 #include <abut/mesh/mesh_checks.h>
 #include <abut/mesh/raw_mesh.h>
+#include <abut/mesh/shared_mesh.h>
 #include <abut/scene/shape_entry.h>
 
 #include <deal.II/fe/fe_simplex_p.h>
@@ -125,18 +127,28 @@ namespace abut
     };
   }
 
-  std::unique_ptr<BodyMesh> make_mesh(const BodyDescription &body)
+  BodyMesh::BodyMesh(std::shared_ptr<Processes> sharing,
+                     const dealii::Triangulation<2>::MeshSmoothing smoothing)
+      : processes(std::move(sharing)),
+        owned_(processes ? shared_triangulation(*processes, smoothing)
+                         : std::make_unique<dealii::Triangulation<2>>(smoothing)),
+        triangulation(*owned_)
+  {}
+
+  std::unique_ptr<BodyMesh> make_mesh(const BodyDescription &body, std::shared_ptr<Processes> processes)
   {
     const ShapeEntry &shape = shape_of(body);
-    RawMesh raw = own_mesh(shape, body);
+    const unsigned int first_level = processes ? n_first_splits(body) : 0;
+    RawMesh raw = own_mesh(shape, with_larger_cells(body, first_level));
     Assert(!raw.cells.empty() && !raw.boundary_edges.empty() && !raw.sides.empty(),
            dealii::ExcMessage("a mesh has cells and sides"));
     Assert(shape.has_curves == (shape.attach_curves != nullptr),
            dealii::ExcMessage("a shape with curves attaches them"));
     place(raw, body.placement);
 
-    auto mesh = std::make_unique<BodyMesh>();
+    auto mesh = std::make_unique<BodyMesh>(std::move(processes), smoothing_of(body));
     mesh->name = body.name;
+    mesh->first_level = first_level;
     mesh->cell_type = raw.cell_type;
     mesh->boundaries.insert(raw.sides.begin(), raw.sides.end());
     mesh->warnings = raw.warnings;
@@ -150,8 +162,26 @@ namespace abut
       attach_charts(*mesh, raw);
     check_degree(body, mesh->cell_type);
     if (mesh->curved)
-      check_jacobians(mesh->triangulation, *mesh->mapping(body.degree), body.degree, body.section());
+      check_jacobians(*mesh, body.degree, body.section());
     return mesh;
+  }
+
+  void split_to_size(BodyMesh &mesh)
+  {
+    if (mesh.processes)
+      split_all(mesh.triangulation, mesh.first_level);
+  }
+
+  void check_jacobians(const BodyMesh &mesh, const unsigned int degree, const std::string &where)
+  {
+    constexpr std::uint64_t jacobians = 12; // a meeting
+    const auto check = [&]() { check_jacobians(mesh.triangulation, *mesh.mapping(degree), degree, where); };
+    if (!mesh.processes)
+      return check();
+    mesh.processes->collect(jacobians, [&]() {
+      check();
+      return 0; // all is well
+    });
   }
 
   namespace
@@ -211,7 +241,7 @@ namespace abut
 
     void rename(BodyMesh &mesh, const dealii::types::boundary_id from, const dealii::types::boundary_id to)
     {
-      for (const auto &face : mesh.triangulation.active_face_iterators())
+      for (auto face = mesh.triangulation.begin_face(); face != mesh.triangulation.end_face(); ++face)
         if (face->at_boundary() && face->boundary_id() == from)
           face->set_boundary_id(to);
       for (auto name = mesh.boundaries.begin(); name != mesh.boundaries.end();)

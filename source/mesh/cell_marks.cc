@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/gathered.h>
 #include <abut/mesh/cell_marks.h>
+#include <abut/mesh/own_cells.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -26,20 +28,21 @@ namespace abut
 
   CellMarks no_marks(const dealii::Triangulation<2> &triangulation)
   {
-    return no_marks(triangulation.n_active_cells());
+    return no_marks(triangulation.n_global_active_cells());
   }
 
-  void set_flags(dealii::Triangulation<2> &triangulation, const CellMarks &marks)
+  void set_flags(dealii::Triangulation<2> &triangulation, const CellMarks &marks,
+                 const unsigned int first_level)
   {
-    AssertDimension(marks.refine.size(), triangulation.n_active_cells());
-    AssertDimension(marks.coarsen.size(), triangulation.n_active_cells());
+    AssertDimension(marks.refine.size(), triangulation.n_global_active_cells());
+    AssertDimension(marks.coarsen.size(), triangulation.n_global_active_cells());
     const bool triangles = !triangulation.all_reference_cells_are_hyper_cube();
-    for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &cell : own_cells(triangulation))
     {
-      const unsigned int index = cell->active_cell_index();
+      const auto index = cell->global_active_cell_index();
       if (marks.refine[index] && cell->level() < deepest_level)
         cell->set_refine_flag();
-      else if (marks.coarsen[index] && cell->level() > 0 && !triangles)
+      else if (marks.coarsen[index] && cell->level() > static_cast<int>(first_level) && !triangles)
         cell->set_coarsen_flag();
     }
   }
@@ -107,12 +110,12 @@ namespace abut
   } // namespace
 
   void grade(dealii::Triangulation<2> &triangulation, const std::vector<Grading> &gradings,
-             const bool curved_borders)
+             const bool curved_borders, const std::shared_ptr<Processes> &processes)
   {
     for (unsigned int round = 0;; ++round)
     {
       bool some = false;
-      for (const auto &cell : triangulation.active_cell_iterators())
+      for (const auto &cell : own_cells(triangulation))
         if (cell->level() < deepest_level &&
             std::any_of(gradings.begin(), gradings.end(), [&](const Grading &grading) {
               return round < grading.further && touches(cell, grading.place);
@@ -121,7 +124,7 @@ namespace abut
           cell->set_refine_flag();
           some = true;
         }
-      if (!some)
+      if (!in_any(processes, some))
         return;
       complete_flags(triangulation, curved_borders);
       triangulation.execute_coarsening_and_refinement();

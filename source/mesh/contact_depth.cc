@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/gathered.h>
 #include <abut/mesh/body_mesh.h>
+#include <abut/mesh/own_cells.h>
 #include <abut/scene/shape_entry.h>
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace abut
@@ -16,11 +19,11 @@ namespace abut
     }
 
     /// The mean of the outward unit normal over a side, of its straight edges.
-    Vector2 mean_normal(const dealii::Triangulation<2> &triangulation, const dealii::types::boundary_id side)
+    Vector2 mean_normal(const BodyMesh &mesh, const dealii::types::boundary_id side)
     {
       Vector2 sum = Vector2::Zero();
       double length = 0.;
-      for (const auto &cell : triangulation.active_cell_iterators())
+      for (const auto &cell : own_cells(mesh.triangulation))
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() == side)
           {
@@ -30,20 +33,25 @@ namespace abut
             sum += outward ? normal : Vector2(-normal);
             length += (b - a).norm();
           }
+      const std::vector<Vector2> sums = gathered<Vector2>(mesh.processes, {sum});
+      const std::vector<double> lengths = gathered<double>(mesh.processes, {length});
+      sum = std::accumulate(sums.begin(), sums.end(), Vector2(0., 0.));
+      length = std::accumulate(lengths.begin(), lengths.end(), 0.);
       Assert(length > 0., dealii::ExcMessage("a side has edges"));
       return sum / length;
     }
 
-    std::vector<Vector2> boundary_vertices(const dealii::Triangulation<2> &triangulation)
+    std::vector<Vector2> boundary_vertices(const BodyMesh &mesh)
     {
       std::set<unsigned int> numbers;
-      for (const auto &face : triangulation.active_face_iterators())
-        if (face->at_boundary())
-          numbers.insert({face->vertex_index(0), face->vertex_index(1)});
+      for (const auto &cell : own_cells(mesh.triangulation))
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            numbers.insert({face->vertex_index(0), face->vertex_index(1)});
       std::vector<Vector2> vertices;
       for (const unsigned int number : numbers)
-        vertices.push_back(to_vector2(triangulation.get_vertices()[number]));
-      return vertices;
+        vertices.push_back(to_vector2(mesh.triangulation.get_vertices()[number]));
+      return gathered(mesh.processes, std::move(vertices));
     }
 
     double extent(const std::vector<Vector2> &points, const Vector2 &direction)
@@ -75,8 +83,8 @@ namespace abut
     if (const ShapeEntry &shape = shape_of(body); shape.contact_depth != nullptr)
       return body.placement.length_to_world(shape.contact_depth(body));
     constexpr double vanishing = 1e-6; // mean of a unit vector: 0 around a closed curve up to rounding
-    const auto vertices = boundary_vertices(mesh.triangulation);
-    const Vector2 normal = mean_normal(mesh.triangulation, side);
+    const auto vertices = boundary_vertices(mesh);
+    const Vector2 normal = mean_normal(mesh, side);
     const double depth =
         normal.norm() > vanishing ? extent(vertices, normal.normalized()) : 0.5 * diameter(vertices);
     Assert(depth > 0., dealii::ExcMessage("a body has a depth"));

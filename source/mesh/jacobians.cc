@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
 #include <abut/mesh/jacobians.h>
+#include <abut/mesh/own_cells.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -31,7 +32,7 @@ namespace abut
     const dealii::Quadrature<2> lattice = lattice_of(triangulation.begin()->reference_cell(), 2 * degree);
     const dealii::FE_Nothing<2> no_unknowns(triangulation.begin()->reference_cell());
     dealii::FEValues<2> values(mapping, no_unknowns, lattice, dealii::update_jacobians);
-    for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &cell : own_cells(triangulation))
     {
       values.reinit(cell);
       for (const auto &jacobian : values.get_jacobians())

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/gathered.h>
+#include <abut/mesh/body_mesh.h>
+#include <abut/mesh/own_cells.h>
 #include <abut/mesh/quality.h>
 
 #include <deal.II/grid/tria.h>
@@ -40,10 +43,10 @@ namespace abut
     }
   } // namespace
 
-  MeshQuality mesh_quality(const dealii::Triangulation<2> &triangulation)
+  MeshQuality mesh_quality(const BodyMesh &mesh)
   {
     MeshQuality quality{0., 0., 0.};
-    for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &cell : own_cells(mesh.triangulation))
     {
       const Circles c = extreme_circles(*cell);
       quality.h_max = std::max(quality.h_max, c.circumscribed);
@@ -51,6 +54,12 @@ namespace abut
       for (const unsigned int face : cell->face_indices())
         if (cell->at_boundary(face))
           quality.h_boundary = std::max(quality.h_boundary, cell->face(face)->diameter());
+    }
+    for (const MeshQuality &part : gathered<MeshQuality>(mesh.processes, {quality}))
+    {
+      quality.h_max = std::max(quality.h_max, part.h_max);
+      quality.h_boundary = std::max(quality.h_boundary, part.h_boundary);
+      quality.regularity = std::max(quality.regularity, part.regularity);
     }
     return quality;
   }

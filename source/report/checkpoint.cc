@@ -13,7 +13,7 @@ namespace abut
   namespace
   {
     /// To be raised whenever what a record lists changes (tests/unit/report_checkpoint.cc notices).
-    constexpr auto checkpoint_format = "1";
+    constexpr auto checkpoint_format = "2";
 
     const std::string checkpoint_name = "abut checkpoint";
 

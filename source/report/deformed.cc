@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/base/executor.h>
+#include <abut/bodies/each_body.h>
 #include <abut/report/apart.h>
 #include <abut/report/deformed.h>
 
@@ -127,7 +127,10 @@ namespace abut
   {
     const std::size_t n_bodies = results.bodies.size();
     std::vector<Outlines> deformations(n_bodies);
-    for_each(n_bodies, [&](const std::size_t a) {
+    const auto shares_mesh = [&](const std::size_t a) {
+      return results.bodies[a].body->description().shares_mesh;
+    };
+    for_each_body(n_bodies, shares_mesh, [&](const std::size_t a) {
       deformations[a] = outlines_of(*results.bodies[a].body, results.bodies[a].deformation);
     });
 
@@ -139,7 +142,7 @@ namespace abut
       drawn.push_back(exaggerated(body, scene.exaggeration));
     const Polyline shifts = shifts_apart(results, drawn, scene.size);
     scene.bodies.resize(n_bodies);
-    for_each(n_bodies, [&](const std::size_t a) {
+    for_each_body(n_bodies, shares_mesh, [&](const std::size_t a) {
       scene.bodies[a] = drawn_body(results.bodies[a], drawn[a], shifts[a]);
     });
     for (const PairResult &pair : results.pairs)

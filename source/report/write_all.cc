@@ -65,18 +65,21 @@ namespace abut
   {
     const std::filesystem::path folder(directory);
     Written written;
+    nlohmann::ordered_json json;
     {
       const Stopwatch watch(written.seconds);
       const WallClock clock;
       if (executor.is_first())
         remove_old_results(directory);
       const std::vector<FieldFile> fields = write_fields(results, executor, folder);
+      // Bodies whose meshes processes share are asked by all of them.
+      if (results.scene->writes_report || fits_a_picture(results))
+        drawings.add_last(results);
+      json = summary(results, total_seconds);
       if (!executor.is_first())
         return written;
       write_file(folder / "solution.pvd", pvd(fields));
       write_file(folder / "solution.pvtu", pvtu(fields));
-      if (results.scene->writes_report || fits_a_picture(results))
-        drawings.add_last(results);
       written.left_out = write_numbers_and_picture(results, history, drawings, folder);
       if (results.scene->writes_report)
         write_file(folder / "report.html",
@@ -85,7 +88,7 @@ namespace abut
       else
         written.left_out.emplace_back("report.html (Output/Report is false)");
     }
-    nlohmann::ordered_json json = summary(results, total_seconds + written.seconds);
+    json["time_s"]["total"] = total_seconds + written.seconds;
     json["time_s"]["output"] = results.times.output + written.seconds;
     for (const std::string &file : written.left_out)
       json["left_out"].push_back(file);

@@ -28,6 +28,12 @@ namespace abut
       throw UserError(body.section() + "/Processes: received " + std::to_string(body.n_processes) +
                       ", but this run has only " + std::to_string(n_processes) + "; start it by mpirun -np " +
                       std::to_string(body.n_processes) + ", or allow 0 (automatic)");
+    if (body.shares_mesh && body.n_processes > 0 && body.n_processes < n_processes)
+      throw UserError(body.section() + "/Processes: received " + std::to_string(body.n_processes) + " of " +
+                      std::to_string(n_processes) +
+                      " for a body with Distributed mesh = true, which takes all; allowed is 0");
+    if (body.shares_mesh)
+      return n_processes;
     if (body.n_processes > 0)
       return body.n_processes;
     return predicted_factor_bytes(static_cast<double>(n_unknowns)) > free_bytes ? n_processes : 1;

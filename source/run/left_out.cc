@@ -7,9 +7,12 @@ namespace abut
 {
   std::vector<std::string> left_out(const Setup &setup, const Solution &solution)
   {
-    std::vector<std::string> items = {setup.model.executor().n_processes() > 1
-                                          ? "p4est (every process has all meshes)"
-                                          : "MPI and p4est (serial run)"};
+    std::vector<std::string> items;
+    if (setup.model.executor().n_processes() == 1)
+      items.emplace_back("MPI and p4est (serial run)");
+    else if (std::none_of(setup.scene.bodies.begin(), setup.scene.bodies.end(),
+                          [](const BodyDescription &body) { return body.shares_mesh; }))
+      items.emplace_back("p4est (every process has all meshes)");
     if (setup.indicator == nullptr)
       items.emplace_back("error estimation (no estimator asked for)");
     if (!setup.scene.adapts())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
+#include <abut/bodies/each_body.h>
 #include <abut/contact/pressure_profile.h>
 #include <abut/run/homes.h>
 #include <abut/run/model.h>
@@ -27,9 +28,10 @@ namespace abut
       : scene_(scene), executor_(std::move(executor)), is_prepared_(scene.bodies.size(), false)
   {
     bodies_.resize(scene.bodies.size());
-    for_each(bodies_.size(), [&](const std::size_t a) {
+    for_each_body([&](const std::size_t a) {
       bodies_[a] =
-          make_body(with_exact_conditions(scene, a, exact), contact_sides(scene, scene.bodies[a].name));
+          make_body(with_exact_conditions(scene, a, exact), contact_sides(scene, scene.bodies[a].name),
+                    scene.bodies[a].shares_mesh ? executor_.processes() : nullptr);
     });
     std::vector<PairInput> inputs;
     for (std::size_t i = 0; i < scene.contacts.size(); ++i)
@@ -44,6 +46,12 @@ namespace abut
     }
     assign_bodies();
     make_problem();
+  }
+
+  void Model::for_each_body(const std::function<void(std::size_t)> &f) const
+  {
+    abut::for_each_body(
+        bodies_.size(), [&](const std::size_t a) { return scene_.bodies[a].shares_mesh; }, f);
   }
 
   ContactBody Model::contact_body(const Side &side) const
@@ -148,7 +156,7 @@ namespace abut
                           const std::vector<BodyCounters> &counters)
   {
     AssertDimension(counters.size(), bodies_.size());
-    for_each(bodies_.size(), [&](const std::size_t a) {
+    for_each_body([&](const std::size_t a) {
       for (const std::vector<CellMarks> &marks : adaptations)
         abut::adapt_again(*bodies_[a], marks[a]);
       bodies_[a]->count_from(counters[a]);
@@ -180,8 +188,8 @@ namespace abut
     std::vector<unsigned int> versions_before;
     for (const auto &body : bodies_)
       versions_before.push_back(body->mesh_version());
-    // Meshes are the same in all processes.
-    for_each(bodies_.size(), [&](const std::size_t a) {
+    // What meshes become is the same in all processes.
+    for_each_body([&](const std::size_t a) {
       if (marks[a].any())
         adapted.state.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
     });

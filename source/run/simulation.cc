@@ -50,8 +50,21 @@ namespace abut
     }
   } // namespace
 
+  namespace
+  {
+    void check_processes(const Scene &scene, const unsigned int before, const unsigned int now)
+    {
+      for (const BodyDescription &body : scene.bodies)
+        if (body.shares_mesh && before != now)
+          throw UserError("--resume: received " + std::to_string(now) + " processes for a run that " +
+                          std::to_string(before) + " began, but the mesh of body " + body.name +
+                          " is distributed; go on with mpirun -np " + std::to_string(before));
+    }
+  } // namespace
+
   void Simulation::go_on_from(RunState state)
   {
+    check_processes(scene_, state.n_processes, executor().n_processes());
     const Stopwatch watch(construction_.mesh);
     clock_.add(state.seconds);
     model_->adapt_again(state.marks, state.counters);
@@ -171,6 +184,7 @@ namespace abut
         executor().of_bodies(bodies().size(), [&](const std::size_t a) { return bodies()[a]->counters(); });
     state.times = results.times;
     state.seconds = clock_.seconds();
+    state.n_processes = executor().n_processes();
     observer.adapted(state);
   }
 } // namespace abut

@@ -30,6 +30,11 @@ namespace abut
           "Of those that mpirun starts, how many share the body's stiffness. 0: one, or all where the "
           "factor does not fit into one's memory. A run without mpirun does not ask.");
       prm.declare_entry(
+          "Distributed mesh", "false", Patterns::Bool(),
+          "Whether all processes that mpirun starts share the body's mesh too (p4est), each with its own "
+          "cells: for meshes that do not fit into one's memory. Cells that touch differ by one level at "
+          "most then, also without mpirun.");
+      prm.declare_entry(
           "Nonconforming edges", "hanging nodes", Patterns::Selection("hanging nodes|mortar"),
           "How edges between a cell and finer ones are joined: the nodes that hang there follow "
           "the others, or both sides have their own displacements, equal in the mean (section "
@@ -114,6 +119,7 @@ namespace abut
     body.degree = parse_degree(prm, context.default_degree, body.cell_type, where);
     body.adapt = prm.get_bool("Adapt");
     body.n_processes = static_cast<unsigned int>(prm.get_integer("Processes"));
+    body.shares_mesh = prm.get_bool("Distributed mesh");
     parse_material(prm, body, context.materials, where);
     parse_glued_parts(prm, body, context.parts, where);
     body.allow_locking = prm.get_bool("Allow locking");

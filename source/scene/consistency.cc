@@ -151,6 +151,36 @@ namespace abut
                 "Body " + body.name + "/Conditions: " + condition.boundary +
                 ": received `exact`, but Reference/Exact solution is none; name the solution there");
     }
+
+    /// What keeps processes from sharing the mesh of a body, as a parameter and its value; empty: nothing.
+    std::string objection_to_shared_mesh(const BodyDescription &body, const EstimatorEntry &estimator)
+    {
+      const ShapeEntry &shape = Registry<ShapeEntry>::get().find(body.shape);
+      if (shape.is_rigid || shape.makes_cells)
+        return "Shape = " + body.shape;
+      if (body.cell_type == CellType::triangles)
+        return "Cell type = triangles";
+      if (body.joints.mortar_edges)
+        return "Nonconforming edges = mortar";
+      if (body.is_glued())
+        return "Glue";
+      constexpr double projected = .4; // the divergence, and compared from cell to cell
+      if (body.largest_poisson_ratio() >= projected)
+        return "a Poisson ratio from 0.4 on";
+      if (!estimator.takes_distributed_meshes && estimator.estimates())
+        return "Adaptation/Estimator = " + estimator.name;
+      return {};
+    }
+
+    void check_shared_meshes(const Scene &scene)
+    {
+      const EstimatorEntry &estimator = Registry<EstimatorEntry>::get().find(scene.adaptation.estimator);
+      for (const BodyDescription &body : scene.bodies)
+        if (body.shares_mesh)
+          if (const std::string objection = objection_to_shared_mesh(body, estimator); !objection.empty())
+            throw UserError("Body " + body.name + "/Distributed mesh: received `true` with " + objection +
+                            ", which needs all cells in one process; allowed with it is false");
+    }
   } // namespace
 
   void check_consistency(const Scene &scene)
@@ -162,5 +192,6 @@ namespace abut
     check_tolerance(scene);
     check_adaptation(scene);
     check_exact_conditions(scene);
+    check_shared_meshes(scene);
   }
 } // namespace abut

@@ -78,6 +78,7 @@ namespace abut
               {body, "Degree", "", "", elements_page},
               {body, "Adapt", "", "", "../README.md#adaptive-meshes"},
               {body, "Processes", "", "", "processes.md#a-body-in-several-processes"},
+              {body, "Distributed mesh", "", "", "processes.md#a-distributed-mesh"},
               {body, "Nonconforming edges", "", "", edges_page},
               {body, "Young modulus", "stress", positive_number, "method.md#the-problem"},
               {body, "Poisson ratio", "no unit", "a number above -1 and below 0.5", elements_page},

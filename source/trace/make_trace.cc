@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/gathered.h>
+#include <abut/mesh/own_cells.h>
 #include <abut/trace/make_trace.h>
 
 #include <deal.II/fe/fe.h>
@@ -13,30 +15,38 @@ namespace abut
     using Cell = dealii::DoFHandler<2>::active_cell_iterator;
 
     /// A boundary face of a cell with its two ends in the order that has the body on the left.
-    struct Edge
+    struct Ends
     {
-      Cell cell;
       dealii::Point<2> unit_start, unit_end; // on the reference cell
-      unsigned int start_vertex, end_vertex;
+      unsigned int start_vertex, end_vertex; // of the cell
     };
 
-    Edge make_edge(const Cell &cell, const unsigned int face)
+    Ends ends_of(const MeshEdge &edge)
     {
-      const auto reference = cell->reference_cell();
-      const unsigned int a = reference.face_to_cell_vertices(face, 0, 1);
-      const unsigned int b = reference.face_to_cell_vertices(face, 1, 1);
-      Edge edge{cell, reference.vertex<2>(a), reference.vertex<2>(b), cell->vertex_index(a),
-                cell->vertex_index(b)};
-      const dealii::Tensor<1, 2> along = edge.unit_end - edge.unit_start;
-      const dealii::Tensor<1, 2> inward = reference.barycenter<2>() - edge.unit_start;
+      const auto reference = edge.cell->reference_cell();
+      const unsigned int a = reference.face_to_cell_vertices(edge.face, 0, 1);
+      const unsigned int b = reference.face_to_cell_vertices(edge.face, 1, 1);
+      Ends ends{reference.vertex<2>(a), reference.vertex<2>(b), a, b};
+      const dealii::Tensor<1, 2> along = ends.unit_end - ends.unit_start;
+      const dealii::Tensor<1, 2> inward = reference.barycenter<2>() - ends.unit_start;
       if (along[0] * inward[1] - along[1] * inward[0] <
           0) // cells are positively oriented, as the reference cell is
       {
-        std::swap(edge.unit_start, edge.unit_end);
-        std::swap(edge.start_vertex, edge.end_vertex);
+        std::swap(ends.unit_start, ends.unit_end);
+        std::swap(ends.start_vertex, ends.end_vertex);
       }
-      return edge;
+      return ends;
     }
+
+    /// What a trace has of an edge.
+    struct Edge
+    {
+      unsigned int cell = 0, start = 0, end = 0; ///< numbers of the cell and of the vertices
+      std::vector<Vector2> points;
+      std::vector<unsigned int> dofs; ///< of its nodes from start to end, two each
+
+      void serialize(Archive &archive) { archive(cell, start, end, points, dofs); }
+    };
 
     /// Orders the edges head to tail; open curves begin at the vertex where no edge ends.
     std::vector<Edge> chain(const std::vector<Edge> &edges)
@@ -45,8 +55,8 @@ namespace abut
       std::map<unsigned int, std::size_t> ending_at;
       for (std::size_t i = 0; i < edges.size(); ++i)
       {
-        starting_at[edges[i].start_vertex] = i;
-        ending_at[edges[i].end_vertex] = i;
+        starting_at[edges[i].start] = i;
+        ending_at[edges[i].end] = i;
       }
       std::vector<Edge> ordered;
       std::vector<bool> taken(edges.size(), false);
@@ -55,14 +65,14 @@ namespace abut
         {
           taken[i] = true;
           ordered.push_back(edges[i]);
-          const auto next = starting_at.find(edges[i].end_vertex);
+          const auto next = starting_at.find(edges[i].end);
           if (next == starting_at.end())
             return;
           i = next->second;
         }
       };
       for (std::size_t i = 0; i < edges.size(); ++i)
-        if (ending_at.count(edges[i].start_vertex) == 0)
+        if (ending_at.count(edges[i].start) == 0)
           follow(i);
       for (std::size_t i = 0; i < edges.size(); ++i) // what is left is closed
         follow(i);
@@ -77,72 +87,113 @@ namespace abut
     };
 
     /// The unknowns on an edge, sorted by their place s and component.
-    std::vector<FaceDof> face_dofs(const Edge &edge)
+    std::vector<unsigned int> face_dofs(const Cell &cell, const Ends &ends)
     {
-      const auto &fe = edge.cell->get_fe();
+      const auto &fe = cell->get_fe();
       std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      edge.cell->get_dof_indices(dofs);
-      const dealii::Tensor<1, 2> along = edge.unit_end - edge.unit_start;
-      std::vector<FaceDof> result;
+      cell->get_dof_indices(dofs);
+      const dealii::Tensor<1, 2> along = ends.unit_end - ends.unit_start;
+      std::vector<FaceDof> found;
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
       {
         // Not has_support_on_face: for triangles deal.II 9.4 answers true, whatever the face.
-        const dealii::Tensor<1, 2> from_start = fe.unit_support_point(i) - edge.unit_start;
+        const dealii::Tensor<1, 2> from_start = fe.unit_support_point(i) - ends.unit_start;
         if (std::abs(along[0] * from_start[1] - along[1] * from_start[0]) < 1e-8)
-          result.push_back({from_start * along / along.norm_square(), fe.system_to_component_index(i).first,
-                            static_cast<unsigned int>(dofs[i])});
+          found.push_back({from_start * along / along.norm_square(), fe.system_to_component_index(i).first,
+                           static_cast<unsigned int>(dofs[i])});
       }
-      std::sort(result.begin(), result.end(), [](const FaceDof &a, const FaceDof &b) {
+      std::sort(found.begin(), found.end(), [](const FaceDof &a, const FaceDof &b) {
         return std::abs(a.s - b.s) > 1e-8 ? a.s < b.s : a.component < b.component;
       });
-      return result;
+      std::vector<unsigned int> sorted;
+      for (const FaceDof &dof : found)
+        sorted.push_back(dof.dof);
+      return sorted;
+    }
+
+    Edge edge_of(const MeshEdge &mesh_edge, const CellGeometry &geometry,
+                 const Eigen::VectorXd &geometry_nodes)
+    {
+      const Cell &cell = mesh_edge.cell;
+      const Ends ends = ends_of(mesh_edge);
+      Edge edge;
+      edge.cell = cell->global_active_cell_index();
+      edge.start = cell->vertex_index(ends.start_vertex);
+      edge.end = cell->vertex_index(ends.end_vertex);
+      for (const double s : geometry_nodes)
+        edge.points.push_back(
+            geometry(cell, dealii::Point<2>(ends.unit_start + s * (ends.unit_end - ends.unit_start))));
+      edge.dofs = face_dofs(cell, ends);
+      AssertDimension(edge.dofs.size(), 2 * (cell->get_fe().degree + 1));
+      return edge;
+    }
+
+    std::vector<Edge> edges_of(const std::vector<MeshEdge> &mesh_edges, const CellGeometry &geometry,
+                               const unsigned int geometry_degree)
+    {
+      const LagrangeBasis geometry_basis(geometry_degree);
+      std::vector<Edge> edges;
+      for (const MeshEdge &edge : mesh_edges)
+        edges.push_back(edge_of(edge, geometry, geometry_basis.nodes()));
+      return edges;
+    }
+
+    Trace joined(const std::vector<Edge> &edges, const unsigned int degree,
+                 const unsigned int geometry_degree)
+    {
+      Assert(!edges.empty(), dealii::ExcMessage("a curve has edges"));
+      std::vector<Segment> segments;
+      std::vector<std::array<unsigned int, 2>> node_dofs;
+      std::map<unsigned int, unsigned int> node_of_dof;
+      for (Edge &edge : chain(edges))
+      {
+        Segment segment;
+        segment.cell = edge.cell;
+        segment.points = std::move(edge.points);
+        for (std::size_t i = 0; i < edge.dofs.size(); i += 2)
+        {
+          const auto [node, is_new] =
+              node_of_dof.emplace(edge.dofs[i], static_cast<unsigned int>(node_dofs.size()));
+          if (is_new)
+            node_dofs.push_back({{edge.dofs[i], edge.dofs[i + 1]}});
+          segment.nodes.push_back(node->second);
+        }
+        segments.push_back(std::move(segment));
+      }
+      return Trace(degree, geometry_degree, std::move(segments), std::move(node_dofs));
+    }
+
+    /// Those of all processes, which know a vertex by its first unknown.
+    std::vector<Edge> everybodys(const std::shared_ptr<Processes> &processes, std::vector<Edge> edges)
+    {
+      if (!processes)
+        return edges;
+      for (Edge &edge : edges)
+      {
+        edge.start = edge.dofs.front();
+        edge.end = edge.dofs[edge.dofs.size() - 2];
+      }
+      return gathered(processes, std::move(edges));
     }
   } // namespace
 
   Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const CellGeometry &geometry,
-                   const unsigned int geometry_degree, const dealii::types::boundary_id boundary)
+                   const unsigned int geometry_degree, const dealii::types::boundary_id boundary,
+                   const std::shared_ptr<Processes> &processes)
   {
     std::vector<MeshEdge> edges;
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : own_cells(dof_handler))
       for (const unsigned int face : cell->face_indices())
         if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary)
           edges.push_back({cell, face});
-    return make_trace(edges, geometry, geometry_degree);
+    return joined(everybodys(processes, edges_of(edges, geometry, geometry_degree)),
+                  dof_handler.get_fe().degree, geometry_degree);
   }
 
-  Trace make_trace(const std::vector<MeshEdge> &mesh_edges, const CellGeometry &geometry,
+  Trace make_trace(const std::vector<MeshEdge> &edges, const CellGeometry &geometry,
                    const unsigned int geometry_degree)
   {
-    Assert(!mesh_edges.empty(), dealii::ExcMessage("a curve has edges"));
-    const unsigned int degree = mesh_edges.front().cell->get_fe().degree;
-    std::vector<Edge> edges;
-    for (const MeshEdge &edge : mesh_edges)
-      edges.push_back(make_edge(edge.cell, edge.face));
-    const LagrangeBasis geometry_basis(geometry_degree);
-    std::vector<Segment> segments;
-    std::vector<std::array<unsigned int, 2>> node_dofs;
-    std::map<unsigned int, unsigned int> node_of_dof;
-    for (const Edge &edge : chain(edges))
-    {
-      Segment segment;
-      segment.cell = edge.cell->active_cell_index();
-      for (const double s : geometry_basis.nodes())
-      {
-        segment.points.push_back(
-            geometry(edge.cell, dealii::Point<2>(edge.unit_start + s * (edge.unit_end - edge.unit_start))));
-      }
-      const std::vector<FaceDof> dofs = face_dofs(edge);
-      AssertDimension(dofs.size(), 2 * (degree + 1));
-      for (std::size_t i = 0; i < dofs.size(); i += 2)
-      {
-        const auto [node, is_new] =
-            node_of_dof.emplace(dofs[i].dof, static_cast<unsigned int>(node_dofs.size()));
-        if (is_new)
-          node_dofs.push_back({{dofs[i].dof, dofs[i + 1].dof}});
-        segment.nodes.push_back(node->second);
-      }
-      segments.push_back(std::move(segment));
-    }
-    return Trace(degree, geometry_degree, std::move(segments), std::move(node_dofs));
+    return joined(edges_of(edges, geometry, geometry_degree), edges.front().cell->get_fe().degree,
+                  geometry_degree);
   }
 } // namespace abut

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A layer whose stiffness is shared by all processes, also where this is a single one: seconds for the mesh,
+// A layer whose stiffness is shared by all processes, also where this is a single one, and its mesh too where
+// `distributed` is asked for: seconds for the mesh,
 // to assemble, to set up multigrid and to solve, iterations, memory. A library that counts messages is told
 // where each begins.
 
@@ -52,10 +53,10 @@ namespace
 
   /// One line of numbers: processes, unknowns, seconds for the mesh, to assemble, to set up, to solve,
   /// iterations, MiB.
-  void measure(const std::shared_ptr<Processes> &processes, const unsigned int cells)
+  void measure(const std::shared_ptr<Processes> &processes, const unsigned int cells, const bool shares_mesh)
   {
     const WallClock clock;
-    FiniteElementBody body(layer(cells), {"top"});
+    FiniteElementBody body(layer(cells), {"top"}, shares_mesh ? processes : nullptr);
     const double mesh = clock.seconds();
     body.share(processes);
     MPI_Pcontrol(setting_up);
@@ -77,8 +78,8 @@ namespace
 
 int main(const int argc, const char *const *const argv)
 {
-  if (argc != 2)
+  if (argc != 2 && (argc != 3 || std::string(argv[2]) != "distributed"))
     return 2;
   const auto processes = std::make_shared<abut::Processes>(abut::Launch::from_environment());
-  measure(processes, static_cast<unsigned int>(std::stoul(argv[1])));
+  measure(processes, static_cast<unsigned int>(std::stoul(argv[1])), argc == 3);
 }

@@ -136,6 +136,33 @@ namespace
   INSTANTIATE_TEST_SUITE_P(Scenes, KilledRun, ::testing::ValuesIn(killed_scenes),
                            [](const auto &scene) { return scene.param.name; });
 
+  const KilledScene distributed = {"distributed",
+                                   "prm/two-layers-rollers.prm",
+                                   {"Body upper/Cells=16, 4", "Body lower/Cells=16, 4",
+                                    "Body upper/Adapt=true", "Body lower/Adapt=true",
+                                    "Body upper/Distributed mesh=true", "Body lower/Distributed mesh=true",
+                                    "Adaptation/Estimator=kelly", "Adaptation/Maximum passes=6"}};
+
+  // Numbers of cells and unknowns depend on the processes that share the mesh.
+  TEST(KilledRunOfADistributedMesh, GoesOnInAsManyProcesses)
+  {
+    const Ended ended = run_and_kill(distributed, {{2}, 6, 2, 50});
+    EXPECT_GE(ended.n_resumed, 1u);
+    expect_same_results(ended.folder, run_processes({{2, arguments_of(distributed)}}).directory);
+  }
+
+  TEST(KilledRunOfADistributedMesh, DoesNotGoOnInOthers)
+  {
+    const std::string folder = new_folder();
+    KilledProcess process(2, with(arguments_of(distributed), {"--output", folder}));
+    process.wait_for_changes(folder + "/checkpoint", 1);
+    process.kill();
+    const Answer answer = run_processes_with({{3, {"--resume", folder}}});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_EQ(lines(answer.err).size(), 1u) << answer.err;
+    EXPECT_NE(answer.err.find("is distributed; go on with mpirun -np 2"), std::string::npos) << answer.err;
+  }
+
   // What is wrong is said once by several processes too.
   TEST(ResumedProcesses, RefuseAFolderInOneSentence)
   {

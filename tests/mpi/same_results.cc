@@ -27,6 +27,7 @@ namespace
     bool has_hanging_nodes = false;
     std::vector<std::string> in_all = {}; ///< bodies that live in all processes
     bool iterates = true;                 ///< where these are solved together
+    bool share_meshes = false;            ///< these, too
   };
 
   /// What a difference is measured by: the number itself or, where bodies are solved in another way, the
@@ -41,8 +42,9 @@ namespace
   /// way in which bodies are solved, the number of solves, and ranks of what is the same but for round-off.
   bool is_compared(const std::string &key, const Measure measure)
   {
-    static const std::set<std::string> others = {"processes",       "peak_memory_mb", "time_s",
-                                                 "mpi_initialised", "left_out",       "warnings"},
+    static const std::set<std::string> others = {"processes",        "peak_memory_mb", "time_s",
+                                                 "mpi_initialised",  "left_out",       "warnings",
+                                                 "p4est_initialised"},
                                        of_ways = {"iterations", "solves", "spearman"};
     const bool is_seconds = key.size() > 2 && key.compare(key.size() - 2, 2, "_s") == 0;
     return !is_seconds && others.count(key) == 0 &&
@@ -96,13 +98,21 @@ namespace
     return files;
   }
 
-  void expect_same_fields(const Answer &serial, const Answer &shared)
+  /// `in_order`: cells have the same numbers; else the values of all together are compared.
+  void expect_same_fields(const Answer &serial, const Answer &shared, const bool in_order)
   {
     for (const json &body : serial.summary["bodies"])
     {
       const std::string file = "/solution_" + body["name"].get<std::string>() + ".vtu";
-      const VtuFile expected(read_file(serial.directory + file)), found(read_file(shared.directory + file));
-      EXPECT_EQ(expected.cells, found.cells) << file;
+      VtuFile expected(read_file(serial.directory + file)), found(read_file(shared.directory + file));
+      if (in_order)
+      {
+        EXPECT_EQ(expected.cells, found.cells) << file;
+      }
+      else
+        for (VtuFile *const vtu : {&expected, &found})
+          for (auto &[name, field] : vtu->fields)
+            std::sort(field.values.begin(), field.values.end());
       ASSERT_EQ(expected.fields.size(), found.fields.size()) << file;
       for (const auto &[name, field] : expected.fields)
         expect_same_values(field.values, found.fields.at(name).values, file + " " + name,
@@ -115,6 +125,9 @@ namespace
     std::vector<std::string> arguments = {project_file(scene.file)};
     for (const std::string &override : scene.overrides)
       arguments.insert(arguments.end(), {"--set", override});
+    if (scene.share_meshes)
+      for (const std::string &body : scene.in_all)
+        arguments.insert(arguments.end(), {"--set", "Body " + body + "/Distributed mesh=true"});
     if (!scene.in_all.empty()) // else the way to apply it depends on how bodies are solved
       arguments.insert(arguments.end(), {"--set", "Decomposition/Interface compliance=solves"});
     return arguments;
@@ -163,6 +176,7 @@ namespace
       ASSERT_EQ(shared.status, 0) << shared.err;
       EXPECT_EQ(shared.summary["processes"], n);
       EXPECT_EQ(shared.summary["counters"]["mpi_initialised"], n > 1);
+      EXPECT_EQ(shared.summary["counters"]["p4est_initialised"], n > 1 && scene.share_meshes);
       expect_same(serial.summary, shared.summary, "",
                   scene.in_all.empty() ? Measure::of_numbers : Measure::of_all);
       EXPECT_EQ(files_of(shared), files_of(serial));
@@ -182,7 +196,7 @@ namespace
         expect_same_values(column(serial.directory + file, "pressure"),
                            column(shared.directory + file, "pressure"), file);
       }
-      expect_same_fields(serial, shared);
+      expect_same_fields(serial, shared, !scene.share_meshes);
       expect_homes(scene, shared.summary, n);
       EXPECT_EQ(warning_codes(shared).count("idle-processes"),
                 scene.in_all.empty() && n > std::max<std::size_t>(scene.n_elastic, 1));
@@ -233,6 +247,43 @@ namespace
        false},
       {"thin_cells", "prm/two-layers-rollers.prm", thin, 2, false, {"upper", "lower"}, false}};
 
+  const std::vector<std::string> by_kelly = {"Adaptation/Estimator=kelly", "Adaptation/Maximum passes=4"},
+                                 both_by_kelly =
+                                     with(by_kelly, {"Body upper/Cells=16, 4", "Body lower/Cells=12, 4",
+                                                     "Body upper/Adapt=true", "Body lower/Adapt=true"});
+
+  const std::vector<SharedScene> scenes_with_shared_meshes = {
+      {"both_layers", "prm/two-layers-rollers.prm", {}, 2, false, {"upper", "lower"}, true, true},
+      {"hanging_nodes", "prm/two-layers-rollers.prm", both_by_kelly, 2, true, {"upper", "lower"}, true, true},
+      {"merged_cells",
+       "prm/two-layers-rollers.prm",
+       with(both_by_kelly, {"Adaptation/Coarsening=0.05", "Body upper/Degree=2"}),
+       2,
+       true,
+       {"upper", "lower"},
+       true,
+       true},
+      {"one_of_three_bodies", "prm/three-bodies.prm", {}, 3, false, {"foundation"}, true, true},
+      {"reentrant_corner",
+       "prm/corner.prm",
+       {"Adaptation/Estimator=kelly"},
+       1,
+       true,
+       {"bracket"},
+       true,
+       true},
+      {"curved_sides", "prm/shrink-fit.prm", {}, 2, false, {"disc", "ring"}, true, true},
+      {"floating_disc",
+       "prm/v-groove.prm",
+       with(by_kelly, {"Body disc/Adapt=true"}),
+       3,
+       false,
+       {"disc"},
+       true,
+       true}};
+
+  INSTANTIATE_TEST_SUITE_P(SharedMeshes, SharedRun, ::testing::ValuesIn(scenes_with_shared_meshes),
+                           [](const auto &scene) { return scene.param.name; });
   INSTANTIATE_TEST_SUITE_P(BodiesInAll, SharedRun, ::testing::ValuesIn(scenes_in_all),
                            [](const auto &scene) { return scene.param.name; });
   INSTANTIATE_TEST_SUITE_P(Scenes, SharedRun, ::testing::ValuesIn(scenes),

@@ -20,12 +20,12 @@ TEST(MeshMeasures, QualityOfSquares)
 {
   auto body = make_body("rectangle", {3., 2.}, {{3, 2}});
   // Each of the four triangles has legs 1, 1: circles of diameters sqrt(2) and 2 - sqrt(2).
-  auto quality = mesh_quality(make_mesh(body)->triangulation);
+  auto quality = mesh_quality(*make_mesh(body));
   EXPECT_NEAR(quality.h_max, std::sqrt(2.), 1e-14);
   EXPECT_NEAR(quality.regularity, 1. + std::sqrt(2.), 1e-14);
 
   body.cell_type = CellType::triangles;
-  quality = mesh_quality(make_mesh(body)->triangulation);
+  quality = mesh_quality(*make_mesh(body));
   EXPECT_NEAR(quality.h_max, std::sqrt(2.), 1e-14);
   EXPECT_NEAR(quality.regularity, 1. + std::sqrt(2.), 1e-14);
 }
@@ -34,7 +34,7 @@ TEST(MeshMeasures, QualityOfAThreeFourRectangle)
 {
   // Legs 3, 4, hypotenuse 5: circles of diameters 5 and 2.
   const auto mesh = make_mesh(make_body("rectangle", {3., 4.}, {{1, 1}}));
-  const auto quality = mesh_quality(mesh->triangulation);
+  const auto quality = mesh_quality(*mesh);
   EXPECT_NEAR(quality.h_max, 5., 1e-14);
   EXPECT_NEAR(quality.regularity, 2.5, 1e-14);
 }
@@ -45,7 +45,7 @@ TEST(MeshMeasures, QualityTakesTheWorstTriangleOfACell)
   // circumscribed circle belongs to (0,0), (0,1), (1,2): sides 1, sqrt(2), sqrt(5), area 1/2.
   auto body = make_body("rectangle with curved top", {1., 1.}, {{1, 1}});
   body.top = Expression("1 + x", {}, "test");
-  const auto quality = mesh_quality(make_mesh(body)->triangulation);
+  const auto quality = mesh_quality(*make_mesh(body));
   EXPECT_NEAR(quality.h_max, std::sqrt(10.), 1e-14);
   EXPECT_NEAR(quality.regularity, std::sqrt(10.) * (1. + std::sqrt(2.) + std::sqrt(5.)) / 2., 1e-13);
 }
@@ -53,9 +53,9 @@ TEST(MeshMeasures, QualityTakesTheWorstTriangleOfACell)
 TEST(MeshMeasures, RefiningHalvesTheSizeAndKeepsTheShape)
 {
   const auto mesh = make_mesh(make_body("rectangle", {3., 4.}, {{2, 2}}));
-  const auto coarse = mesh_quality(mesh->triangulation);
+  const auto coarse = mesh_quality(*mesh);
   mesh->triangulation.refine_global(1);
-  const auto fine = mesh_quality(mesh->triangulation);
+  const auto fine = mesh_quality(*mesh);
   EXPECT_NEAR(fine.h_max, 0.5 * coarse.h_max, 1e-14);
   EXPECT_NEAR(fine.regularity, coarse.regularity, 1e-14);
 }

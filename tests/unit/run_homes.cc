@@ -45,4 +45,15 @@ namespace
     }
   }
 
+  TEST(Homes, OfABodyWithADistributedMeshAreAll)
+  {
+    BodyDescription body = body_in(0);
+    body.shares_mesh = true;
+    EXPECT_EQ(n_homes(body, n_unknowns, 4, enough), 4u);
+    EXPECT_EQ(n_homes(body, n_unknowns, 1, enough), 1u);
+    body.n_processes = 4;
+    EXPECT_EQ(n_homes(body, n_unknowns, 4, enough), 4u);
+    body.n_processes = 3;
+    EXPECT_THROW(n_homes(body, n_unknowns, 4, enough), UserError);
+  }
 } // namespace

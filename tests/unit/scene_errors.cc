@@ -69,6 +69,24 @@ TEST(SceneErrors, bodies)
   });
 }
 
+TEST(SceneErrors, meshes_that_processes_cannot_share)
+{
+  const SceneFile file(two_squares);
+  const std::string shared = "Body upper/Distributed mesh=true";
+  file.read({shared});
+  file.read({shared, "Adaptation/Estimator=kelly", "Body upper/Adapt=true"});
+  for (const auto &[entry, objection] : std::vector<std::pair<std::string, std::string>>{
+           {"Body upper/Cell type=triangles", "Cell type = triangles"},
+           {"Body upper/Nonconforming edges=mortar", "Nonconforming edges = mortar"},
+           {"Body upper/Poisson ratio=0.4", "a Poisson ratio from 0.4 on"},
+           {"Adaptation/Estimator=fe-be", "Adaptation/Estimator = fe-be"},
+           {"Adaptation/Estimator=zz", "Adaptation/Estimator = zz"}})
+    expect_phrase(message_of([&, with = entry] {
+                    file.read({shared, with});
+                  }),
+                  "Body upper/Distributed mesh: received `true` with " + objection);
+}
+
 TEST(SceneErrors, shapes_that_do_not_go_together)
 {
   const SceneFile file(two_squares);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -98,6 +99,11 @@ namespace abut
         value.emplace();
       if (value)
         pass(*value);
+    }
+    template <typename T, std::size_t n> void pass(std::array<T, n> &values)
+    {
+      for (T &value : values)
+        pass(value);
     }
     template <typename A, typename B> void pass(std::pair<A, B> &values)
     {

@@ -54,6 +54,8 @@ namespace abut
     }
     double mu() const { return young_modulus / (2. * (1. + poisson_ratio)); }
 
+    void serialize(Archive &archive) { archive(young_modulus, poisson_ratio); }
+
     /// sigma = lambda d I + 2 mu eps, from grad u (row: component, column: derivative) and d, which is div u
     /// or stands for it.
     Stress stress(const Eigen::Matrix2d &gradient, const double divergence) const

@@ -190,6 +190,8 @@ namespace abut
 
   /// A body of the kind that its description asks for. Construction reads and checks everything, loads
   /// included (UserError). `contact_sides`: boundaries by name, in the order of the trace vector.
+  /// `processes` share its mesh, see FiniteElementBody; a rigid body has none.
   std::unique_ptr<Body> make_body(const BodyDescription &description,
-                                  const std::vector<std::string> &contact_sides);
+                                  const std::vector<std::string> &contact_sides,
+                                  const std::shared_ptr<Processes> &processes = nullptr);
 } // namespace abut

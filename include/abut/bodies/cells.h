@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
 #include <abut/base/material.h>
 #include <abut/base/vector2.h>
 
@@ -19,6 +20,11 @@ namespace abut
     bool at_boundary = false;
     bool at_glue = false; ///< one of its edges is glued
     Material material;
+
+    void serialize(Archive &archive)
+    {
+      archive(vertices, centre, diameter, level, at_boundary, at_glue, material);
+    }
   };
 
   /// The mean over those cells at a point that are of one material.
@@ -27,6 +33,8 @@ namespace abut
     Material material;
     Stress stress;
     unsigned int n_cells = 0;
+
+    void serialize(Archive &archive) { archive(material, stress, n_cells); }
   };
 
   /// Sets of points in the cells of a body. Cells are visited by their index, points of a cell in an order

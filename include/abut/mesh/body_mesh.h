@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/processes.h>
 #include <abut/mesh/cell_charts.h>
 #include <abut/scene/body_description.h>
 
@@ -21,6 +22,10 @@ namespace abut
   /// The mesh of one body, where the body lies in the plane.
   struct BodyMesh
   {
+    /// Without any cells yet. `processes`: that will share it; null: this one has it alone.
+    explicit BodyMesh(std::shared_ptr<Processes> processes = nullptr,
+                      dealii::Triangulation<2>::MeshSmoothing smoothing = dealii::Triangulation<2>::none);
+
     std::string name; ///< of the body
     CellType cell_type = CellType::quadrilaterals;
     /// Some sides follow curves: never those of triangles in built-in shapes, whose sides are polygons.
@@ -31,8 +36,17 @@ namespace abut
     std::map<std::string, dealii::types::boundary_id> boundaries;
     std::vector<Warning> warnings;             ///< what the user should hear of it
     std::map<unsigned int, SideFacets> facets; ///< of the sides of a mesh file; heights in world lengths
+    /// Each of which knows its own cells and those around them, in this process; null: it has all.
+    const std::shared_ptr<Processes> processes;
+    /// How often its coarsest cells were split to begin with: they are not merged any further.
+    unsigned int first_level = 0;
+
+  private:
+    std::unique_ptr<dealii::Triangulation<2>> owned_;
+
+  public:
     /// In world coordinates. Its manifolds, or the charts, keep refined meshes on curved sides.
-    dealii::Triangulation<2> triangulation;
+    dealii::Triangulation<2> &triangulation;
     std::unique_ptr<CellCharts> charts; ///< of curved meshes from files
 
     /// Polynomials of the given degree on curved cells (triangles: 1 or 2); straight cells need and get no
@@ -49,8 +63,16 @@ namespace abut
   /**
    * Builds or reads the mesh and places it. Throws UserError: cells that do not fit the shape, a mesh file
    * that cannot be used, cells that are too distorted (a Jacobian <= 0).
+   *
+   * `processes` that share the mesh begin with larger cells, which all of them know: `split_to_size` makes
+   * those that the body asks for, when the sides have their names. All processes have to call both.
    */
-  std::unique_ptr<BodyMesh> make_mesh(const BodyDescription &body);
+  std::unique_ptr<BodyMesh> make_mesh(const BodyDescription &body,
+                                      std::shared_ptr<Processes> processes = nullptr);
+  void split_to_size(BodyMesh &mesh);
+
+  /// Refuses distorted cells as `make_mesh` does, in all processes that share the mesh.
+  void check_jacobians(const BodyMesh &mesh, unsigned int degree, const std::string &where);
 
   /// The id of a side. Throws UserError with the names of the body's sides.
   dealii::types::boundary_id boundary_id(const BodyMesh &mesh, const std::string &side);

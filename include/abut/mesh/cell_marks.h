@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/base/archive.h>
+#include <abut/base/processes.h>
 #include <abut/base/vector2.h>
 
 #include <cstddef>
@@ -24,7 +25,8 @@ namespace abut
     void serialize(Archive &archive) { archive(place, further); }
   };
 
-  /// Which cells an adaptation step splits and which it may merge, by active cell index.
+  /// Which cells an adaptation step splits and which it may merge, by active cell index,
+  /// that of all processes' cells where these share the mesh.
   struct CellMarks
   {
     std::vector<bool> refine;
@@ -44,10 +46,11 @@ namespace abut
   /**
    * Sets the triangulation's flags from the marks; where it is refined, deal.II splits more cells so that
    * none of two levels' difference share an edge. Cells of level 30, 1e-9 of the initial ones, are not split
-   * any further: their coordinates run out of digits. Triangles are never merged, which deal.II 9.4 cannot
-   * do.
+   * any further: their coordinates run out of digits. Those of `first_level` are never merged, nor are
+   * triangles, which deal.II 9.4 cannot do.
    */
-  void set_flags(dealii::Triangulation<2, 2> &triangulation, const CellMarks &marks);
+  void set_flags(dealii::Triangulation<2, 2> &triangulation, const CellMarks &marks,
+                 unsigned int first_level = 0);
 
   /**
    * Completes the flags, so that none of two levels' difference will share an edge. Where borders between
@@ -58,6 +61,7 @@ namespace abut
   void complete_flags(dealii::Triangulation<2, 2> &triangulation, bool curved_borders);
 
   /// Splits cells as gradings say, where those that marks name have been split; borders as above.
+  /// `processes` share the mesh.
   void grade(dealii::Triangulation<2, 2> &triangulation, const std::vector<Grading> &gradings,
-             bool curved_borders = false);
+             bool curved_borders = false, const std::shared_ptr<Processes> &processes = nullptr);
 } // namespace abut

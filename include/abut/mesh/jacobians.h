@@ -13,7 +13,7 @@ namespace dealii
 namespace abut
 {
   /**
-   * Refuses cells whose image under the mapping, of polynomial degree `degree`, has a Jacobian <= 0
+   * Refuses own cells whose image under the mapping, of polynomial degree `degree`, has a Jacobian <= 0
    * at a point of a lattice that holds the corners. `where` begins the message of the UserError.
    */
   void check_jacobians(const dealii::Triangulation<2> &triangulation, const dealii::Mapping<2, 2> &mapping,

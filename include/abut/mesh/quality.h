@@ -3,13 +3,10 @@
 
 #include <abut/base/archive.h>
 
-namespace dealii
-{
-  template <int, int> class Triangulation;
-}
-
 namespace abut
 {
+  struct BodyMesh;
+
   /**
    * Size and shape of cells as the paper measures them. Of all triangles made of three vertices of a cell
    * (four triangles in a quadrilateral) let T_i be the diameters of the circumscribed and t_i of the
@@ -25,5 +22,5 @@ namespace abut
   };
 
   /// Over the active cells.
-  MeshQuality mesh_quality(const dealii::Triangulation<2, 2> &triangulation);
+  MeshQuality mesh_quality(const BodyMesh &mesh);
 } // namespace abut

@@ -69,6 +69,8 @@ namespace abut
                      const std::vector<BodyCounters> &counters);
 
   private:
+    /// See abut::for_each_body.
+    void for_each_body(const std::function<void(std::size_t)> &f) const;
     ContactBody contact_body(const Side &side) const;
     PairInput pair_input(std::size_t index) const;
     ContactSurface make_surface(const std::vector<std::size_t> &group) const;

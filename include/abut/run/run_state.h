@@ -21,7 +21,12 @@ namespace abut
     std::vector<BodyCounters> counters; ///< of every body
     Times times;
     double seconds = 0.; ///< since the run began
+    /// That shared it: numbers of cells and unknowns depend on them where they share a mesh.
+    unsigned int n_processes = 1;
 
-    void serialize(Archive &archive) { archive(marks, carried, pass, passes, counters, times, seconds); }
+    void serialize(Archive &archive)
+    {
+      archive(marks, carried, pass, passes, counters, times, seconds, n_processes);
+    }
   };
 } // namespace abut

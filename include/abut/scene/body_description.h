@@ -75,6 +75,7 @@ namespace abut
     unsigned int degree = 1;
     bool adapt = false;           ///< the mesh follows the error
     unsigned int n_processes = 0; ///< that share its stiffness where there are several; 0: automatic
+    bool shares_mesh = false;     ///< among all processes, where there are several
     Placement placement;
 
     double young_modulus = 1.;

@@ -35,6 +35,8 @@ namespace abut
     std::vector<EstimatorWorth> worth = {}; ///< for degrees 1, 2, ...; fewer where it is not known
     /// Boundary elements answer the same data: their stress is in balance, which bounds the error.
     bool has_boundary_elements = false;
+    /// Of each process it asks for no more than its own cells and those around them.
+    bool takes_distributed_meshes = false;
 
     bool estimates() const { return make != nullptr; }
     /// Null where it is not known.

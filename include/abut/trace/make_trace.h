@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/processes.h>
 #include <abut/trace/trace.h>
 
 #include <deal.II/base/types.h>
@@ -26,10 +27,11 @@ namespace abut
    * The side `boundary` of a mesh as a curve, with the trace of the vector-valued space of `dof_handler` (two
    * equal scalar elements with support points on the faces). `geometry`, where points of reference cells
    * lie, is sampled as a polynomial of `geometry_degree` on each edge. Where the side consists of several
-   * curves they follow one another.
+   * curves they follow one another. `processes` that share the mesh get the whole side, all of them.
    */
   Trace make_trace(const dealii::DoFHandler<2> &dof_handler, const CellGeometry &geometry,
-                   unsigned int geometry_degree, dealii::types::boundary_id boundary);
+                   unsigned int geometry_degree, dealii::types::boundary_id boundary,
+                   const std::shared_ptr<Processes> &processes = nullptr);
 
   /// The same for edges anywhere in the mesh, with the cells named on the left.
   Trace make_trace(const std::vector<MeshEdge> &edges, const CellGeometry &geometry,

@@ -21,12 +21,38 @@ namespace abut
       return cells.empty() || cells[cell->active_cell_index()];
     }
 
+    /// The unknowns of some cells; none: of all.
+    dealii::IndexSet rows_of(const dealii::DoFHandler<2> &dof_handler, const std::vector<bool> &cells)
+    {
+      if (cells.empty())
+        return {};
+      std::vector<bool> is_there(dof_handler.n_dofs(), false);
+      std::vector<dealii::types::global_dof_index> dofs(dof_handler.get_fe().n_dofs_per_cell());
+      for (const auto &cell : own_cells(dof_handler))
+        if (is_among(cells, cell))
+        {
+          cell->get_dof_indices(dofs);
+          for (const auto dof : dofs)
+            is_there[dof] = true;
+        }
+      dealii::IndexSet rows(dof_handler.n_dofs());
+      for (dealii::types::global_dof_index begin = 0, end = 0; begin < is_there.size(); begin = end)
+      {
+        while (end < is_there.size() && is_there[end] == is_there[begin])
+          ++end;
+        if (is_there[begin])
+          rows.add_range(begin, end);
+      }
+      return rows;
+    }
+
     dealii::DynamicSparsityPattern pattern_of(const dealii::DoFHandler<2> &dof_handler,
                                               const std::vector<bool> &cells)
     {
-      dealii::DynamicSparsityPattern pattern(dof_handler.n_dofs(), dof_handler.n_dofs());
+      dealii::DynamicSparsityPattern pattern(dof_handler.n_dofs(), dof_handler.n_dofs(),
+                                             rows_of(dof_handler, cells));
       std::vector<dealii::types::global_dof_index> dofs(dof_handler.get_fe().n_dofs_per_cell());
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &cell : own_cells(dof_handler))
       {
         if (!is_among(cells, cell))
           continue;
@@ -50,6 +76,8 @@ namespace abut
       {
         matrix.outerIndexPtr()[i] = static_cast<int>(position);
         const auto row = static_cast<dealii::types::global_dof_index>(i);
+        if (pattern.row_length(row) == 0)
+          continue;
         for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
           matrix.innerIndexPtr()[position++] = static_cast<int>(entry->column());
       }
@@ -156,7 +184,7 @@ namespace abut
     CellStiffness cell_stiffness(fe);
     Scatter scatter(stiffness);
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.own_cells())
     {
       if (!is_among(cells, cell))
         continue;

@@ -55,6 +55,25 @@ namespace abut
     private:
       std::size_t points_per_cell_, visited_ = 0;
     };
+
+    struct SampledDisplacement
+    {
+      Vector2 place;
+      double weight = 0.;
+      Vector2 value;
+      Eigen::Matrix2d gradient;
+
+      void serialize(Archive &archive) { archive(place, weight, value, gradient); }
+    };
+
+    struct SampledStress
+    {
+      Vector2 place;
+      double weight = 0.;
+      Stress stress;
+
+      void serialize(Archive &archive) { archive(place, weight, stress); }
+    };
   } // namespace
 
   dealii::Quadrature<2> sample_rule(const Space &space, const SamplePoints points)
@@ -81,10 +100,16 @@ namespace abut
     AssertDimension(field.size(), space_->n_dofs());
     const dealii::Quadrature<2> rule = sample_rule(*space_, points);
     PointCounter counter(rule.size());
-    visit_gradients(
-        *space_, rule, field,
-        [&](const Vector2 &place, const double weight, const Vector2 &u, const Eigen::Matrix2d &gradient) {
-          visitor(counter.next(place, weight), u, gradient);
+    space_->pass_on<SampledDisplacement>(
+        [&](const auto &hand_out) {
+          visit_gradients(*space_, rule, field,
+                          [&](const Vector2 &place, const double weight, const Vector2 &u,
+                              const Eigen::Matrix2d &gradient) {
+                            hand_out({place, weight, u, gradient});
+                          });
+        },
+        [&](const SampledDisplacement &sample) {
+          visitor(counter.next(sample.place, sample.weight), sample.value, sample.gradient);
         });
   }
 
@@ -94,9 +119,15 @@ namespace abut
     AssertDimension(deformation.size(), space_->n_dofs());
     const dealii::Quadrature<2> rule = sample_rule(*space_, points);
     PointCounter counter(rule.size());
-    StressField(*this, deformation)
-        .visit(rule, [&](const Vector2 &place, const double weight, const Stress &stress) {
-          visitor(counter.next(place, weight), stress);
+    const StressField stresses(*this, deformation);
+    space_->pass_on<SampledStress>(
+        [&](const auto &hand_out) {
+          stresses.visit(rule, [&](const Vector2 &place, const double weight, const Stress &stress) {
+            hand_out({place, weight, stress});
+          });
+        },
+        [&](const SampledStress &sample) {
+          visitor(counter.next(sample.place, sample.weight), sample.stress);
         });
   }
 
@@ -104,16 +135,30 @@ namespace abut
   {
     std::vector<unsigned int> cells;
     for (const LocatedPoint &located : locate(*space_, point))
-      cells.push_back(located.cell->active_cell_index());
-    return cells;
+      cells.push_back(located.cell->global_active_cell_index());
+    return space_->gathered(std::move(cells));
   }
+
+  namespace
+  {
+    /// Adds the stress in some more cells of a material.
+    void add(const MaterialStress &more, std::vector<MaterialStress> &sums)
+    {
+      auto sum = std::find_if(sums.begin(), sums.end(),
+                              [&](const MaterialStress &other) { return other.material == more.material; });
+      if (sum == sums.end())
+        sum = sums.insert(sum, {more.material, {}, 0});
+      sum->stress = sum->stress + more.stress;
+      sum->n_cells += more.n_cells;
+    }
+  } // namespace
 
   std::vector<MaterialStress> FiniteElementBody::stresses_at(const Eigen::VectorXd &deformation,
                                                              const Vector2 &point) const
   {
     const StressField field(*this, deformation);
     const CellMaterials materials(description());
-    std::vector<MaterialStress> sums;
+    std::vector<MaterialStress> of_cells;
     for (const auto &[cell, unit] : locate(*space_, point))
     {
       dealii::FEValues<2> values(space_->mapping(), space_->dof_handler().get_fe(),
@@ -122,37 +167,45 @@ namespace abut
       values.reinit(cell);
       std::vector<dealii::types::global_dof_index> dofs(values.dofs_per_cell);
       cell->get_dof_indices(dofs);
-      const Material &own = materials(cell);
-      auto sum = std::find_if(sums.begin(), sums.end(),
-                              [&](const MaterialStress &other) { return other.material == own; });
-      if (sum == sums.end())
-        sum = sums.insert(sum, {own, {}, 0});
-      sum->stress = sum->stress + field.at(cell, values, 0, dofs);
-      ++sum->n_cells;
+      of_cells.push_back({materials(cell), field.at(cell, values, 0, dofs), 1});
     }
+    std::vector<MaterialStress> sums;
+    for (const MaterialStress &of_cell : space_->gathered(std::move(of_cells)))
+      add(of_cell, sums);
     for (MaterialStress &sum : sums)
       sum.stress = sum.stress * (1. / static_cast<double>(sum.n_cells));
     return sums;
   }
 
+  namespace
+  {
+    Vector2 value_at(const LocatedPoint &point, const Eigen::VectorXd &field)
+    {
+      const auto &[cell, unit] = point;
+      const dealii::FiniteElement<2> &element = cell->get_fe();
+      std::vector<dealii::types::global_dof_index> dofs(element.dofs_per_cell);
+      cell->get_dof_indices(dofs);
+      Vector2 sum = Vector2::Zero();
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        sum[element.system_to_component_index(i).first] +=
+            element.shape_value(i, unit) * field[static_cast<Eigen::Index>(dofs[i])];
+      return sum;
+    }
+  } // namespace
+
   Vector2 FiniteElementBody::displacement_at(const Eigen::VectorXd &displacement, const Vector2 &point) const
   {
     AssertDimension(displacement.size(), space_->n_dofs());
-    const std::vector<LocatedPoint> found = locate(*space_, point);
-    if (found.empty())
+    std::vector<Vector2> values;
+    if (const std::vector<LocatedPoint> found = locate(*space_, point); !found.empty())
+      values.push_back(value_at(found.front(), displacement));
+    values = space_->gathered(std::move(values));
+    if (values.empty())
     {
       std::ostringstream text;
       text << "Body " << name() << " has no point (" << point.x() << ", " << point.y() << ")";
       throw UserError(text.str());
     }
-    const auto &[cell, unit] = found.front();
-    const dealii::FiniteElement<2> &element = cell->get_fe();
-    std::vector<dealii::types::global_dof_index> dofs(element.dofs_per_cell);
-    cell->get_dof_indices(dofs);
-    Vector2 sum = Vector2::Zero();
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      sum[element.system_to_component_index(i).first] +=
-          element.shape_value(i, unit) * displacement[static_cast<Eigen::Index>(dofs[i])];
-    return sum;
+    return values.front();
   }
 } // namespace abut

@@ -67,9 +67,10 @@ namespace abut
           return;
         double largest = 0.;
         const auto &triangulation = space.mesh().triangulation;
-        const dealii::Point<2> origin = triangulation.get_vertices().front();
-        for (const auto &vertex : triangulation.get_vertices())
-          largest = std::max(largest, vertex.distance(origin));
+        const dealii::Point<2> origin = triangulation.begin()->vertex(0);
+        for (const auto &cell : triangulation.cell_iterators_on_level(0)) // which all processes know
+          for (const unsigned int v : cell->vertex_indices())
+            largest = std::max(largest, cell->vertex(v).distance(origin));
         spacing_ = largest / n_points_;
       }
 
@@ -146,11 +147,13 @@ namespace abut
       return;
     SampledCells sampled(space, body);
     std::vector<dealii::types::global_dof_index> dofs(space.dof_handler().get_fe().n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    Eigen::VectorXd of_cells = Eigen::VectorXd::Zero(load.size());
+    for (const auto &cell : space.own_cells())
     {
       cell->get_dof_indices(dofs);
-      add_cell_force(sampled.reinit(cell), body, dofs, load);
+      add_cell_force(sampled.reinit(cell), body, dofs, of_cells);
     }
+    load += space.sum(of_cells);
   }
 
   Eigen::VectorXd body_force_oscillation(const Space &space, const BodyDescription &body)
@@ -158,9 +161,10 @@ namespace abut
     if (is_uniform(body))
       return {};
     SampledCells sampled(space, body);
-    Eigen::VectorXd squares(space.mesh().triangulation.n_active_cells());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      squares[cell->active_cell_index()] = cell_oscillation(cell, sampled.reinit(cell), body);
-    return squares;
+    std::vector<double> own;
+    for (const auto &cell : space.own_cells())
+      own.push_back(cell_oscillation(cell, sampled.reinit(cell), body));
+    const std::vector<double> squares = space.gathered(std::move(own));
+    return Eigen::VectorXd::Map(squares.data(), static_cast<Index>(squares.size()));
   }
 } // namespace abut

@@ -15,14 +15,22 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <ostream>
 
 namespace abut
 {
   Counts FiniteElementBody::counts() const
   {
-    return {space_->mesh().triangulation.n_active_cells(), space_->dof_handler().n_dofs(),
-            dealii::DoFTools::extract_boundary_dofs(space_->dof_handler()).n_elements()};
+    return {space_->n_cells(), space_->dof_handler().n_dofs(), n_boundary_dofs_};
+  }
+
+  std::size_t FiniteElementBody::n_boundary_dofs() const
+  {
+    const dealii::IndexSet all = dealii::DoFTools::extract_boundary_dofs(space_->dof_handler());
+    const dealii::IndexSet own = all & space_->dof_handler().locally_owned_dofs();
+    const std::vector<std::size_t> counts = space_->gathered<std::size_t>({own.n_elements()});
+    return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
   }
 
   std::vector<CellInfo> FiniteElementBody::cells() const
@@ -30,21 +38,21 @@ namespace abut
     std::vector<CellInfo> cells;
     const CellMaterials materials(description());
     const GluePartners partners(*space_);
-    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+    for (const auto &cell : space_->own_cells())
     {
       CellInfo info;
       for (const unsigned int i : cell->vertex_indices())
         info.vertices.emplace_back(cell->vertex(i)[0], cell->vertex(i)[1]);
       info.centre = Vector2(cell->center()[0], cell->center()[1]);
       info.diameter = cell->diameter();
-      info.level = static_cast<unsigned int>(cell->level());
+      info.level = static_cast<unsigned int>(cell->level()) - space_->mesh().first_level;
       info.at_boundary = cell->at_boundary();
       info.material = materials(cell);
       for (const unsigned int f : cell->face_indices())
         info.at_glue = info.at_glue || partners.n_opposite(cell, f, 1) > 0;
       cells.push_back(std::move(info));
     }
-    return cells;
+    return space_->gathered(std::move(cells));
   }
 
   std::vector<BoundarySide> FiniteElementBody::boundary() const
@@ -69,7 +77,7 @@ namespace abut
 
   MeshQuality FiniteElementBody::mesh_quality() const
   {
-    return abut::mesh_quality(space_->mesh().triangulation);
+    return abut::mesh_quality(space_->mesh());
   }
 
   std::vector<unsigned int> FiniteElementBody::crowded_cells() const
@@ -93,9 +101,9 @@ namespace abut
   {
     const CellMaterials of_cell(body.description());
     std::vector<Material> materials;
-    for (const auto &cell : body.space().dof_handler().active_cell_iterators())
+    for (const auto &cell : body.space().own_cells())
       materials.push_back(of_cell(cell));
-    return materials;
+    return body.space().gathered(std::move(materials));
   }
 
   std::vector<Vector2> FiniteElementBody::singular_vertices() const
@@ -130,14 +138,16 @@ namespace abut
   {
     const CellMaterials materials(description());
     const auto boundary = contact_boundary(side);
-    std::optional<Material> softest;
-    for (const auto &cell : space_->mesh().triangulation.active_cell_iterators())
+    std::vector<Material> behind;
+    for (const auto &cell : own_cells(space_->mesh().triangulation))
       for (const unsigned int f : cell->face_indices())
-        if (cell->at_boundary(f) && cell->face(f)->boundary_id() == boundary &&
-            (!softest || materials(cell).young_modulus < softest->young_modulus))
-          softest = materials(cell);
-    Assert(softest, dealii::ExcMessage("a side has cells"));
-    return *softest;
+        if (cell->at_boundary(f) && cell->face(f)->boundary_id() == boundary)
+          behind.push_back(materials(cell));
+    behind = space_->gathered(std::move(behind));
+    Assert(!behind.empty(), dealii::ExcMessage("a side has cells"));
+    return *std::min_element(behind.begin(), behind.end(), [](const Material &a, const Material &b) {
+      return a.young_modulus < b.young_modulus;
+    });
   }
 
   LostLoad FiniteElementBody::lost_load(const std::string &side) const
@@ -159,7 +169,7 @@ namespace abut
 
   void FiniteElementBody::describe(std::ostream &out) const
   {
-    out << space_->mesh().triangulation.n_active_cells() << ' '
+    out << space_->n_cells() << ' '
         << (space_->mesh().cell_type == CellType::triangles ? "triangles" : "quadrilaterals") << " of degree "
         << space_->degree() << ", " << space_->n_dofs() << " unknowns, E = " << description().young_modulus
         << ", nu = " << description().poisson_ratio << '\n';

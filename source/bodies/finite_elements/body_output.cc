@@ -2,12 +2,15 @@
 //
 // The cells of a body with the values of its fields, for files.
 #include <abut/bodies/finite_elements/finite_element_body.h>
+#include <abut/bodies/finite_elements/gathered_patches.h>
 #include <abut/bodies/finite_elements/stress_field.h>
 #include <abut/bodies/output_patches.h>
 
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
@@ -58,12 +61,22 @@ namespace abut
       const StressField &field_;
     };
 
-    dealii::Vector<double> levels(const dealii::Triangulation<2> &triangulation)
+    dealii::Vector<double> levels(const BodyMesh &mesh)
     {
-      dealii::Vector<double> result(triangulation.n_active_cells());
-      for (const auto &cell : triangulation.active_cell_iterators())
-        result[cell->active_cell_index()] = cell->level();
+      dealii::Vector<double> result(mesh.triangulation.n_active_cells());
+      for (const auto &cell : own_cells(mesh.triangulation))
+        result[cell->active_cell_index()] = cell->level() - static_cast<int>(mesh.first_level);
       return result;
+    }
+
+    /// Of values by cell of all processes those of the cells that are known here.
+    dealii::Vector<double> of_known_cells(const Eigen::VectorXd &values, const Space &space)
+    {
+      dealii::Vector<double> known(space.mesh().triangulation.n_active_cells());
+      for (const auto &cell : space.own_cells())
+        known[cell->active_cell_index()] =
+            values[static_cast<Eigen::Index>(cell->global_active_cell_index())];
+      return known;
     }
 
     constexpr unsigned int n_stress_values = 4; // xx, yy, xy, zz
@@ -168,22 +181,34 @@ namespace abut
       }
     };
 
-    dealii::Vector<double> to_dealii(const Eigen::VectorXd &values)
+    using ShownVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    /// The part of a field that own cells show.
+    ShownVector to_dealii(const Eigen::VectorXd &field, const dealii::DoFHandler<2> &dof_handler)
     {
-      return dealii::Vector<double>(values.begin(), values.end());
+      dealii::IndexSet relevant;
+      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      ShownVector shown(dof_handler.locally_owned_dofs(), relevant, dof_handler.get_communicator());
+      for (const auto dof : dof_handler.locally_owned_dofs())
+        shown[dof] = field[static_cast<Eigen::Index>(dof)];
+      shown.update_ghost_values();
+      return shown;
     }
 
     /// The mean over every cell.
     dealii::Vector<double> mean_von_mises(const StressField &field, const Space &space)
     {
       dealii::Vector<double> sums(space.mesh().triangulation.n_active_cells()), areas(sums);
-      unsigned int visited = 0;
+      std::vector<unsigned int> own;
+      for (const auto &cell : space.own_cells())
+        own.push_back(cell->active_cell_index());
+      std::size_t visited = 0;
       field.visit(space.quadrature(), [&](const Vector2 &, const double weight, const Stress &stress) {
-        const unsigned int cell = visited++ / space.quadrature().size();
+        const unsigned int cell = own[visited++ / space.quadrature().size()];
         sums[cell] += weight * stress.von_mises();
         areas[cell] += weight;
       });
-      for (unsigned int cell = 0; cell < sums.size(); ++cell)
+      for (const unsigned int cell : own)
         sums[cell] /= areas[cell];
       return sums;
     }
@@ -192,9 +217,12 @@ namespace abut
   OutputPatches FiniteElementBody::output_patches(const OutputFields &fields) const
   {
     using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
-    const dealii::Vector<double> displacement = to_dealii(fields.displacement),
-                                 deformation = to_dealii(fields.deformation), eta = to_dealii(fields.eta),
-                                 level = levels(space_->mesh().triangulation);
+    const ShownVector displacement = to_dealii(fields.displacement, space_->dof_handler()),
+                      deformation = to_dealii(fields.deformation, space_->dof_handler());
+    const dealii::Vector<double> level = levels(space_->mesh());
+    dealii::Vector<double> eta;
+    if (fields.eta.size() > 0)
+      eta = of_known_cells(fields.eta, *space_);
     const StressField field(*this, fields.deformation);
     const dealii::Vector<double> mean = mean_von_mises(field, *space_);
     const StressPostprocessor stress(field);
@@ -217,6 +245,9 @@ namespace abut
       data.add_data_vector(better->dof_handler(), better->values(), better_stress);
     }
     data.build_patches(space_->mapping(), space_->degree(), dealii::DataOut<2>::curved_inner_cells);
-    return data.shown();
+    OutputPatches output = data.shown();
+    if (space_->mesh().processes)
+      output.patches = gathered_patches(*space_, output.patches);
+    return output;
   }
 } // namespace abut

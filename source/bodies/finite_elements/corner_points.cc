@@ -75,6 +75,16 @@ namespace abut
             return v;
       return {};
     }
+
+    struct CornerStress
+    {
+      unsigned int cell = 0;
+      Vector2 place;
+      double weight = 0.;
+      Stress stress;
+
+      void serialize(Archive &archive) { archive(cell, place, weight, stress); }
+    };
   } // namespace
 
   void FiniteElementBody::visit_corner_stress(const Eigen::VectorXd &deformation,
@@ -87,23 +97,29 @@ namespace abut
     const dealii::Quadrature<2> rule = sample_rule(*space_, SamplePoints::comparison);
     const bool triangle = space_->mesh().cell_type == CellType::triangles;
     const StressField field(*this, deformation);
-    std::vector<dealii::types::global_dof_index> dofs(space_->dof_handler().get_fe().n_dofs_per_cell());
-    for (const auto &cell : space_->dof_handler().active_cell_iterators())
-    {
-      const auto vertex = vertex_among(cell, vertices);
-      if (!vertex)
-        continue;
-      dealii::FEValues<2> values(
-          space_->mapping(), space_->dof_handler().get_fe(), crowded(rule, triangle, *vertex),
-          dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
-      values.reinit(cell);
-      cell->get_dof_indices(dofs);
-      for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const auto place = values.quadrature_point(q);
-        visitor({cell->active_cell_index(), Vector2(place[0], place[1]), values.JxW(q)},
-                field.at(cell, values, q, dofs));
-      }
-    }
+    space_->pass_on<CornerStress>(
+        [&](const auto &hand_out) {
+          std::vector<dealii::types::global_dof_index> dofs(space_->dof_handler().get_fe().n_dofs_per_cell());
+          for (const auto &cell : space_->own_cells())
+          {
+            const auto vertex = vertex_among(cell, vertices);
+            if (!vertex)
+              continue;
+            dealii::FEValues<2> values(
+                space_->mapping(), space_->dof_handler().get_fe(), crowded(rule, triangle, *vertex),
+                dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
+            values.reinit(cell);
+            cell->get_dof_indices(dofs);
+            for (const unsigned int q : values.quadrature_point_indices())
+            {
+              const auto place = values.quadrature_point(q);
+              hand_out({static_cast<unsigned int>(cell->global_active_cell_index()),
+                        Vector2(place[0], place[1]), values.JxW(q), field.at(cell, values, q, dofs)});
+            }
+          }
+        },
+        [&](const CornerStress &corner) {
+          visitor({corner.cell, corner.place, corner.weight}, corner.stress);
+        });
   }
 } // namespace abut

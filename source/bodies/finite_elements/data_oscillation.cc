@@ -99,9 +99,17 @@ namespace abut
     std::vector<Material> materials_of_cells(const Space &space, const CellMaterials &materials)
     {
       std::vector<Material> by_index;
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      for (const auto &cell : space.own_cells())
         by_index.push_back(materials(cell));
-      return by_index;
+      return space.gathered(std::move(by_index));
+    }
+
+    std::vector<double> diameters_of_cells(const Space &space)
+    {
+      std::vector<double> diameters;
+      for (const auto &cell : space.own_cells())
+        diameters.push_back(cell->diameter());
+      return space.gathered(std::move(diameters));
     }
   } // namespace
 
@@ -122,10 +130,12 @@ namespace abut
             segment.length);
     }
     if (const Eigen::VectorXd force = body_force_oscillation(space, body.description()); force.size() > 0)
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
-        squares[cell->active_cell_index()] +=
-            energy_of_cell_waves(materials[cell->active_cell_index()], cell->diameter()) *
-            force[cell->active_cell_index()];
+    {
+      const std::vector<double> diameters = diameters_of_cells(space);
+      for (std::size_t cell = 0; cell < diameters.size(); ++cell)
+        squares[static_cast<Index>(cell)] +=
+            energy_of_cell_waves(materials[cell], diameters[cell]) * force[static_cast<Index>(cell)];
+    }
     return squares.cwiseSqrt();
   }
 } // namespace abut

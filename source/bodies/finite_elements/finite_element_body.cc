@@ -57,19 +57,22 @@ namespace abut
   {
     /// The mesh with the sides that the scene names.
     std::unique_ptr<BodyMesh> mesh_of(const BodyDescription &description,
-                                      const std::vector<std::string> &contact_sides)
+                                      const std::vector<std::string> &contact_sides,
+                                      const std::shared_ptr<Processes> &processes)
     {
-      auto mesh = make_mesh(description);
+      auto mesh = make_mesh(description, processes);
       unite_named_sides(*mesh, description);
       for (const std::string &side : contact_sides)
         unite_sides(*mesh, side);
+      split_to_size(*mesh);
       return mesh;
     }
   } // namespace
 
   FiniteElementBody::FiniteElementBody(const BodyDescription &description,
-                                       const std::vector<std::string> &contact_sides)
-      : Body(description), space_(std::make_unique<Space>(mesh_of(description, contact_sides),
+                                       const std::vector<std::string> &contact_sides,
+                                       const std::shared_ptr<Processes> &processes)
+      : Body(description), space_(std::make_unique<Space>(mesh_of(description, contact_sides, processes),
                                                           description.degree, description.joints)),
         contact_side_names_(contact_sides)
   {
@@ -90,6 +93,7 @@ namespace abut
   {
     counters_.meshes = space_->n_meshes();
     counters_.mortars = space_->n_mortars();
+    n_boundary_dofs_ = n_boundary_dofs();
     collect_sides();
     resultant_ = find_resultant(description(), sides_);
     set_up_supports();

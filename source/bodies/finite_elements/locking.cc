@@ -17,13 +17,13 @@ namespace abut
       for (const SupportNode &node : supports.nodes)
         if (node.directions.size() == 2)
           held.insert(node.dofs[0]);
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      bool some_free = false;
+      for (const auto &cell : space.own_cells())
         for (const unsigned int f : cell->face_indices())
           if (cell->at_boundary(f))
             for (const unsigned int v : cell->face(f)->vertex_indices())
-              if (held.count(cell->face(f)->vertex_dof_index(v, 0)) == 0)
-                return false;
-      return true;
+              some_free = some_free || held.count(cell->face(f)->vertex_dof_index(v, 0)) == 0;
+      return !in_any(space.mesh().processes, some_free);
     }
 
     /// What is wrong with the elements, and the way out; empty where nothing is.

@@ -5,6 +5,29 @@
 
 namespace abut
 {
+  namespace
+  {
+    /// Of all processes; as plain numbers, of which there are many.
+    Nodes everybodys(const Space &space, const Nodes &own)
+    {
+      std::vector<unsigned int> dofs;
+      std::vector<double> coordinates;
+      for (const auto &of_node : own.dofs)
+        dofs.insert(dofs.end(), of_node.begin(), of_node.end());
+      for (const Vector2 &place : own.places)
+        coordinates.insert(coordinates.end(), place.begin(), place.end());
+      dofs = space.gathered(std::move(dofs));
+      coordinates = space.gathered(std::move(coordinates));
+      Nodes all;
+      for (std::size_t i = 0; i < dofs.size(); i += 2)
+      {
+        all.dofs.push_back({{dofs[i], dofs[i + 1]}});
+        all.places.emplace_back(coordinates[i], coordinates[i + 1]);
+      }
+      return all;
+    }
+  } // namespace
+
   Nodes all_nodes(const Space &space)
   {
     const auto &fe = space.dof_handler().get_fe();
@@ -14,21 +37,21 @@ namespace abut
     std::vector<bool> seen(static_cast<std::size_t>(space.n_dofs()), false);
     Nodes nodes;
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const Cell &cell : space.own_cells())
     {
       cell->get_dof_indices(dofs);
       values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(cell));
       for (unsigned int i = 0; i < places.size(); ++i)
       {
         const auto x = dofs[fe.component_to_system_index(0, i)], y = dofs[fe.component_to_system_index(1, i)];
-        if (seen[x])
+        if (seen[x] || !space.is_own(x))
           continue;
         seen[x] = true;
         nodes.dofs.push_back({{static_cast<unsigned int>(x), static_cast<unsigned int>(y)}});
         nodes.places.emplace_back(values.quadrature_point(i)[0], values.quadrature_point(i)[1]);
       }
     }
-    return nodes;
+    return space.mesh().processes ? everybodys(space, nodes) : nodes;
   }
 
   Nodes free_nodes(const Space &space)

@@ -56,7 +56,7 @@ namespace abut
     constexpr double round_off = 1e-8, off_the_curve = .05; // of a cell
     const dealii::Point<2> point(place.x(), place.y());
     std::vector<LocatedPoint> near;
-    for (const Cell &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.own_cells())
       if (may_contain(cell, point))
         if (const auto unit = unit_point(space, cell, point))
           near.push_back({cell, *unit});
@@ -69,6 +69,8 @@ namespace abut
       return found;
     };
     std::vector<LocatedPoint> found = within(round_off);
-    return found.empty() && space.mesh().curved ? within(off_the_curve) : found;
+    if (space.mesh().curved && !in_any(space.mesh().processes, !found.empty()))
+      return within(off_the_curve);
+    return found;
   }
 } // namespace abut

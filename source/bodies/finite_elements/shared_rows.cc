@@ -44,34 +44,49 @@ namespace abut
     return processes;
   }
 
-  SharedRows::SharedRows(const Space &space, const Nodes &nodes,
-                         const Eigen::SparseMatrix<double> &free_directions, const unsigned int n_processes)
-      : space_(space), nodes_(nodes), free_directions_(free_directions)
+  std::vector<bool> cells_of(const Processes &processes, const Space &space)
   {
-    distribute_dofs(n_processes);
-    number_rows(n_processes);
+    const dealii::Triangulation<2> &mesh = space.mesh().triangulation;
+    std::vector<bool> own(mesh.n_active_cells(), false);
+    if (space.mesh().processes)
+    {
+      for (const auto &cell : space.own_cells())
+        own[cell->active_cell_index()] = true;
+      return own;
+    }
+    const std::vector<unsigned int> of_cells = processes_of_cells(space, processes.size());
+    for (std::size_t cell = 0; cell < own.size(); ++cell)
+      own[cell] = of_cells[cell] == processes.rank();
+    return own;
   }
 
-  void SharedRows::distribute_dofs(const unsigned int n_processes)
+  SharedDofs share_dofs(const Space &space, const unsigned int n_processes)
   {
-    const std::vector<unsigned int> of_cells = processes_of_cells(space_, n_processes);
-    process_of_dof_.assign(static_cast<std::size_t>(space_.n_dofs()), n_processes);
-    std::vector<dealii::types::global_dof_index> dofs(space_.dof_handler().get_fe().n_dofs_per_cell());
-    for (const auto &cell : space_.dof_handler().active_cell_iterators())
+    if (space.shared_dofs() != nullptr)
+      return *space.shared_dofs();
+    const std::vector<unsigned int> of_cells = processes_of_cells(space, n_processes);
+    std::vector<unsigned int> process_of_dof(static_cast<std::size_t>(space.n_dofs()), n_processes);
+    std::vector<dealii::types::global_dof_index> dofs(space.dof_handler().get_fe().n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
     {
       cell->get_dof_indices(dofs);
       for (const auto dof : dofs)
-        process_of_dof_[dof] = std::min(process_of_dof_[dof], of_cells[cell->active_cell_index()]);
+        process_of_dof[dof] = std::min(process_of_dof[dof], of_cells[cell->active_cell_index()]);
     }
-    dofs_.resize(n_processes);
-    for (std::size_t dof = 0; dof < process_of_dof_.size(); ++dof)
-      dofs_[process_of_dof_[dof]].push_back(static_cast<int>(dof));
+    return SharedDofs(std::move(process_of_dof), n_processes);
+  }
+
+  SharedRows::SharedRows(const SharedDofs &dofs, const Nodes &nodes,
+                         const Eigen::SparseMatrix<double> &free_directions, const unsigned int n_processes)
+      : dofs_(dofs), nodes_(nodes), free_directions_(free_directions)
+  {
+    number_rows(n_processes);
   }
 
   void SharedRows::number_rows(const unsigned int n_processes)
   {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> node_of_dof(process_of_dof_.size(), none);
+    std::vector<std::size_t> node_of_dof(dofs_.size(), none);
     for (std::size_t i = 0; i < nodes_.dofs.size(); ++i)
       for (const unsigned int dof : nodes_.dofs[i])
         node_of_dof[dof] = i;
@@ -94,7 +109,7 @@ namespace abut
     {
       begins_.push_back(row);
       for (std::size_t i = 0; i < moves.size(); ++i)
-        if (moves[i] && process_of_dof_[nodes_.dofs[i][0]] == process)
+        if (moves[i] && dofs_.process_of(nodes_.dofs[i][0]) == process)
         {
           next_row[i] = row;
           row += 2;
@@ -105,30 +120,11 @@ namespace abut
       rows_.push_back(next_row[node]++);
   }
 
-  std::vector<bool> SharedRows::cells_for(const unsigned int process) const
-  {
-    std::vector<bool> needed(process_of_dof_.size(), false);
-    for (const int dof : dofs_[process])
-      needed[static_cast<std::size_t>(dof)] = true;
-    for (int j = 0; j < free_directions_.cols(); ++j)
-      if (has(process, rows_[static_cast<std::size_t>(j)]))
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(free_directions_, j); entry; ++entry)
-          needed[static_cast<std::size_t>(entry.row())] = true;
-    std::vector<bool> cells(space_.mesh().triangulation.n_active_cells(), false);
-    std::vector<dealii::types::global_dof_index> dofs(space_.dof_handler().get_fe().n_dofs_per_cell());
-    for (const auto &cell : space_.dof_handler().active_cell_iterators())
-    {
-      cell->get_dof_indices(dofs);
-      cells[cell->active_cell_index()] =
-          std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) { return needed[dof]; });
-    }
-    return cells;
-  }
-
   Eigen::MatrixXd SharedRows::rigid_motions(const unsigned int process) const
   {
     const Box box = box_around(nodes_.places);
-    Eigen::MatrixXd at_dofs = Eigen::MatrixXd::Zero(space_.n_dofs(), 3); // zero where others determine
+    Eigen::MatrixXd at_dofs =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(dofs_.size()), 3); // zero where others determine
     for (std::size_t i = 0; i < nodes_.dofs.size(); ++i)
     {
       const Vector2 arm = (nodes_.places[i] - box.middle()) / box.diagonal();

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace abut
 {
@@ -46,6 +47,7 @@ namespace abut
       return 0.;
     const bool triangles = space_->mesh().cell_type == CellType::triangles;
     const auto curve = space_->mesh().mapping(triangles ? 2 : space_->degree() + 2);
+    // GridTools adds up what all processes have that share a mesh.
     const double exact = dealii::GridTools::volume(space_->mesh().triangulation, *curve);
     return 1. - dealii::GridTools::volume(space_->mesh().triangulation, space_->mapping()) / exact;
   }
@@ -69,7 +71,7 @@ namespace abut
     const CellMaterials materials(description());
     std::vector<dealii::types::global_dof_index> dofs(element.n_dofs_per_cell());
     double energy = 0.;
-    for (const auto &cell : space_->dof_handler().active_cell_iterators())
+    for (const auto &cell : space_->own_cells())
       for (const unsigned int f : cell->face_indices())
       {
         if (!cell->at_boundary(f))
@@ -90,6 +92,7 @@ namespace abut
         }
         energy += wave_energy(square, cell->face(f)->measure(), materials(cell));
       }
-    return energy;
+    const std::vector<double> parts = space_->gathered<double>({energy});
+    return std::accumulate(parts.begin(), parts.end(), 0.);
   }
 } // namespace abut

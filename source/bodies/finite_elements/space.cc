@@ -4,7 +4,6 @@
 #include <abut/bodies/finite_elements/level_element.h>
 #include <abut/bodies/finite_elements/seams.h>
 #include <abut/bodies/finite_elements/space.h>
-#include <abut/mesh/jacobians.h>
 #include <abut/trace/make_trace.h>
 #include <abut/trace/mortar.h>
 
@@ -34,7 +33,7 @@ namespace abut
 
     bool has_flags(const dealii::Triangulation<2> &triangulation)
     {
-      for (const auto &cell : triangulation.active_cell_iterators())
+      for (const auto &cell : own_cells(triangulation))
         if (cell->refine_flag_set() || cell->coarsen_flag_set())
           return true;
       return false;
@@ -119,6 +118,8 @@ namespace abut
     }
     else
       dof_handler_.distribute_dofs(*element_);
+    if (mesh_->processes)
+      share_dofs();
     constrain();
   }
 
@@ -160,7 +161,7 @@ namespace abut
     if (joints_.mortar_edges)
       join_seams(hanging);
     else
-      dealii::DoFTools::make_hanging_node_constraints(dof_handler_, hanging);
+      hanging = hanging_nodes();
     dealii::AffineConstraints<double> constraints(hanging);
     hanging.close();
     has_hanging_nodes_ = hanging.n_constraints() > 0;
@@ -194,28 +195,30 @@ namespace abut
                                             const std::vector<Eigen::VectorXd> &fields)
   {
     dealii::Triangulation<2> &triangulation = mesh_->triangulation;
-    set_flags(triangulation, marks);
+    set_flags(triangulation, marks, mesh_->first_level);
     const bool curved_borders = mesh_->charts != nullptr; // only files have several materials
     complete_flags(triangulation, curved_borders);
-    if (!has_flags(triangulation))
+    if (!in_any(mesh_->processes, has_flags(triangulation)))
       return fields;
-    const CarriedFields carried(dof_handler_, fields);
+    CarriedFields carried(dof_handler_, fields);
     triangulation.execute_coarsening_and_refinement();
-    grade(triangulation, marks.gradings, curved_borders);
+    grade(triangulation, marks.gradings, curved_borders, mesh_->processes);
     if (mesh_->curved)
-      check_jacobians(triangulation, *mapping_, degree(), "Body " + mesh_->name);
+      check_jacobians(*mesh_, degree(), "Body " + mesh_->name);
+    if (mesh_->processes)
+      carried.repartition(triangulation);
     distribute();
 
     std::vector<Eigen::VectorXd> result = carried.on(dof_handler_);
     for (Eigen::VectorXd &field : result)
-      field = expansion_ * field;
+      field = expansion_ * (shared_fields_ ? shared_fields_->whole(field) : field);
     return result;
   }
 
   Trace Space::trace(const dealii::types::boundary_id boundary) const
   {
     const unsigned int degree = mesh_->curved ? curve_degree : 1;
-    return make_trace(dof_handler_, mesh_->geometry(degree), degree, boundary);
+    return make_trace(dof_handler_, mesh_->geometry(degree), degree, boundary, mesh_->processes);
   }
 
   Eigen::Matrix2d gradient_at(const dealii::FEValuesBase<2> &values, const unsigned int point,
@@ -249,7 +252,7 @@ namespace abut
                                    dealii::update_quadrature_points);
     const auto &fe = space.dof_handler().get_fe();
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.own_cells())
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);

@@ -75,7 +75,7 @@ namespace abut
                                dealii::update_gradients | dealii::update_JxW_values |
                                    dealii::update_quadrature_points);
     Dofs dofs(values.dofs_per_cell);
-    for (const auto &cell : space_.dof_handler().active_cell_iterators())
+    for (const auto &cell : space_.own_cells())
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/mesh/shared_mesh.h>
+
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/grid/cell_id.h>
 
-#include <Eigen/Core>
-
-#include <map>
 #include <vector>
 
 namespace abut
@@ -21,19 +19,23 @@ namespace abut
   public:
     CarriedFields(const dealii::DoFHandler<2> &dof_handler, const std::vector<Eigen::VectorXd> &fields);
 
-    /// Their values on the new mesh.
+    /// Gives every process as many cells of the new mesh, and what it will have to know.
+    void repartition(dealii::Triangulation<2> &triangulation);
+
+    /// Their values on the new mesh; where processes share it, at unknowns of own cells.
     std::vector<Eigen::VectorXd> on(const dealii::DoFHandler<2> &dof_handler) const;
 
   private:
-    using Cell = dealii::DoFHandler<2>::cell_iterator;
+    using Cell = dealii::Triangulation<2>::cell_iterator;
 
     /// Adds the values that a cell gets if its children are merged.
-    void merge(const Cell &parent, const std::vector<Eigen::MatrixXd> &restrictions);
+    void merge(const Cell &parent);
     /// All fields (columns) at the unknowns of a cell that was there before, or whose parent or children
     /// were.
-    Eigen::MatrixXd values_in(const Cell &cell, const std::vector<Eigen::MatrixXd> &prolongations) const;
+    Eigen::MatrixXd values_in(const Cell &cell) const;
 
     Eigen::Index n_fields_;
-    std::map<dealii::CellId, Eigen::MatrixXd> values_;
+    std::vector<Eigen::MatrixXd> restrictions_, prolongations_; ///< by child
+    CellValues values_;
   };
 } // namespace abut

@@ -19,7 +19,10 @@ namespace abut
   {
   public:
     /// `contact_sides`: boundaries by name, in the order of the trace vector.
-    FiniteElementBody(const BodyDescription &description, const std::vector<std::string> &contact_sides);
+    /// `processes` share its mesh: all of them make the body and do with it the same things in the same
+    /// order; null: this one has the mesh for itself.
+    FiniteElementBody(const BodyDescription &description, const std::vector<std::string> &contact_sides,
+                      const std::shared_ptr<Processes> &processes = nullptr);
     ~FiniteElementBody() override;
 
     const std::vector<Trace> &contact_sides() const override { return contact_sides_; }
@@ -115,6 +118,7 @@ namespace abut
                                    const Eigen::VectorXd &contact_forces) const;
     /// Everything that depends on the mesh but the stiffness.
     void set_up();
+    std::size_t n_boundary_dofs() const;
     void collect_sides();
     void set_up_supports();
     void tell_supports();
@@ -125,6 +129,7 @@ namespace abut
     void refuse_infinite(const Eigen::MatrixXd &solution) const;
 
     std::unique_ptr<Space> space_;
+    std::size_t n_boundary_dofs_ = 0;
     Sides sides_;
     std::vector<std::string> contact_side_names_;
     std::vector<Trace> contact_sides_;

@@ -14,7 +14,7 @@ namespace abut
     dealii::Point<2> unit;
   };
 
-  /// The cells that a point (world frame) belongs to, several where they meet, none outside. Round-off
+  /// The own cells that a point (world frame) belongs to, several where they meet, none outside. Round-off
   /// counts as 1e-8 of a cell. Cells of curved bodies count as they are, not as polygons; a point that none
   /// of them reaches, since they do not follow the curve exactly, belongs to those that it is off by a
   /// twentieth of them.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/gathered.h>
 #include <abut/base/material.h>
+#include <abut/bodies/finite_elements/shared_dofs.h>
 #include <abut/mesh/body_mesh.h>
 #include <abut/mesh/cell_marks.h>
+#include <abut/mesh/own_cells.h>
 #include <abut/scene/body_description.h>
 #include <abut/trace/trace.h>
 
@@ -47,6 +50,47 @@ namespace abut
     const BodyMesh &mesh() const { return *mesh_; }
     const dealii::Mapping<2> &mapping() const { return *mapping_; }
     const dealii::DoFHandler<2> &dof_handler() const { return dof_handler_; }
+    /// The active cells that are this process's own: all of them, unless processes share the mesh. These have
+    /// numbers that run through the cells of one process after those of another (global_active_cell_index).
+    auto own_cells() const { return abut::own_cells(dof_handler_); }
+    std::size_t n_cells() const { return mesh_->triangulation.n_global_active_cells(); }
+    /// What all processes have of their own cells, in the order of these. Where processes share the mesh all
+    /// of them have to ask for it, as for all that the space has to make of its cells.
+    template <typename T> std::vector<T> gathered(std::vector<T> of_own_cells) const
+    {
+      return abut::gathered(mesh_->processes, std::move(of_own_cells));
+    }
+    /// Hands to `take`, in all processes, what `make` hands out of the own cells of each. One process after
+    /// the other, so that nobody has to keep more than what comes from one.
+    template <typename T, typename Make, typename Take> void pass_on(const Make &make, const Take &take) const
+    {
+      constexpr std::uint64_t passing_on = 16; // a meeting
+      if (!mesh_->processes)
+        return make(take);
+      for (unsigned int process = 0; process < mesh_->processes->size(); ++process)
+        for (const std::vector<T> &values : mesh_->processes->collect(passing_on, [&]() {
+               std::vector<T> own;
+               if (process == mesh_->processes->rank())
+                 make([&](const T &value) { own.push_back(value); });
+               return own;
+             }))
+          for (const T &value : values)
+            take(value);
+    }
+    /// A field, of what the own cells of every process add at their unknowns.
+    Eigen::VectorXd sum(Eigen::VectorXd of_own_cells) const
+    {
+      return shared_fields_ ? shared_fields_->sum(std::move(of_own_cells)) : of_own_cells;
+    }
+    /// By cell: the sum of what every process has for its own cells and those around them.
+    Eigen::VectorXd sum_by_cell(Eigen::VectorXd of_process) const;
+    /// To which of the processes that share the mesh unknowns belong; null where there are none.
+    const SharedDofs *shared_dofs() const { return shared_dofs_.get(); }
+    bool is_own(const dealii::types::global_dof_index dof) const
+    {
+      return !shared_dofs_ || shared_dofs_->process_of(dof) == mesh_->processes->rank();
+    }
+
     Eigen::Index n_dofs() const { return static_cast<Eigen::Index>(dof_handler_.n_dofs()); }
     unsigned int degree() const { return dof_handler_.get_fe().degree; }
 
@@ -98,6 +142,10 @@ namespace abut
   private:
     /// Numbers the unknowns of the present mesh.
     void distribute();
+    /// Among the processes of the mesh.
+    void share_dofs();
+    /// Those of hanging nodes on the others.
+    dealii::AffineConstraints<double> hanging_nodes() const;
     /// Finds those that others determine.
     void constrain();
     /// By mortar, in place of hanging nodes.
@@ -108,6 +156,8 @@ namespace abut
     std::unique_ptr<dealii::FiniteElement<2>> element_;
     dealii::DoFHandler<2> dof_handler_;
     dealii::Quadrature<2> quadrature_;
+    std::unique_ptr<SharedDofs> shared_dofs_;     // where processes share the mesh
+    std::unique_ptr<SharedFields> shared_fields_; // there too
     std::vector<GluedSides> glued_;
     JointDescription joints_;
     std::vector<bool> constrained_;
@@ -130,7 +180,8 @@ namespace abut
   using GradientVisitor = std::function<void(const Vector2 &point, double weight, const Vector2 &displacement,
                                              const Eigen::Matrix2d &gradient)>;
 
-  /// Visits the quadrature points of all cells, in their order, with the displacement's value and gradient.
+  /// Visits the quadrature points of all own cells, in their order, with the displacement's value and
+  /// gradient.
   void visit_gradients(const Space &space, const dealii::Quadrature<2> &quadrature,
                        const Eigen::VectorXd &displacement, const GradientVisitor &visitor);
 } // namespace abut

@@ -48,8 +48,8 @@ namespace abut
   std::unique_ptr<Stiffness> make_local_stiffness(const StiffnessInput &input);
 
   /**
-   * Spread over processes, each of which has a part of the cells (CellShares), assembles the rows of the
-   * unknowns there and solves for them together with the others: by multigrid and conjugate gradients where
+   * Spread over processes, each of which has a part of the cells, assembles their stiffness and
+   * solves for them together with the others: by multigrid and conjugate gradients where
    * these are fast, up to nu = .49 and cells stretched 10:1, else by a Cholesky factor that is spread too.
    */
   std::unique_ptr<Stiffness> make_shared_stiffness(const StiffnessInput &input,

@@ -33,7 +33,7 @@ namespace abut
     Vector2 divergence_gradient(const Cell &cell, const dealii::FEValuesBase<2> &values, unsigned int point,
                                 const std::vector<dealii::types::global_dof_index> &dofs) const;
 
-    /// The quadrature points of all cells, in their order.
+    /// The quadrature points of all own cells, in their order.
     void visit(const dealii::Quadrature<2> &quadrature, const PointStressVisitor &visitor) const;
 
   private:
