@@ -21,14 +21,15 @@ namespace abut::testing
       return std::filesystem::path(temporary_file("marker", "")).parent_path();
     }
 
-    /// Without mpirun's banners, which follow an exit status that is not 0.
+    /// Without mpirun's banners, which follow an exit status that is not 0; all of it where abut says
+    /// nothing.
     std::string words_of_abut(const std::string &text)
     {
       std::string kept;
       for (const std::string &line : lines(text))
         if (line.rfind("abut: ", 0) == 0)
           kept += line + '\n';
-      return kept;
+      return kept.empty() ? text : kept;
     }
   } // namespace
 
@@ -53,9 +54,11 @@ namespace abut::testing
     {
       const std::filesystem::path folder = new_folder();
       Answer answer{};
-      // Tests may run as root, on fewer cores than processes.
-      std::string command = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " ABUT_TIMEOUT
-                            " 200 " ABUT_MPIRUN " --oversubscribe";
+      // Tests may run as root, on fewer cores than processes, and side by side: mpirun's session folder is
+      // that of all runs unless it is told.
+      std::string command =
+          "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_orte_tmpdir_base=" +
+          in_quotes(folder) + " " ABUT_TIMEOUT " 200 " ABUT_MPIRUN " --oversubscribe";
       for (std::size_t i = 0; i < groups.size(); ++i)
       {
         command += (i > 0 ? " : -np " : " -np ") + std::to_string(groups[i].n_processes) + " " +
