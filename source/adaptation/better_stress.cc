@@ -12,9 +12,9 @@ namespace abut
 {
   namespace
   {
-    std::vector<Material> materials_of(const Body &body)
+    const FiniteElementBody &finite_elements(const Body &body)
     {
-      return materials_of_cells(as_finite_elements(body, "Adaptation/Estimator"));
+      return as_finite_elements(body, "Adaptation/Estimator");
     }
 
     StressVisitor collector(OwnStress &own)
@@ -28,7 +28,11 @@ namespace abut
 
   OwnStress own_stress(const BodySolution &solution)
   {
+    const Space &space = finite_elements(solution.body).space();
+    const std::size_t n_points = space.n_cells() * sample_rule(space, SamplePoints::comparison).size();
     OwnStress own;
+    own.points.reserve(n_points);
+    own.values.reserve(n_points);
     solution.body.visit_stress(solution.deformation, SamplePoints::comparison, collector(own));
     return own;
   }
@@ -43,7 +47,7 @@ namespace abut
   CellErrors compare(const Body &body, const OwnStress &own, const std::vector<Stress> &better)
   {
     AssertDimension(own.points.size(), better.size());
-    const std::vector<Material> materials = materials_of(body);
+    const std::vector<Material> materials = materials_of_cells(finite_elements(body));
     CellErrors errors;
     errors.stress = errors.energy = errors.areas =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(body.counts().cells));
@@ -78,7 +82,7 @@ namespace abut
     AssertDimension(own.points.size(), better.size());
     if (better.empty())
       return;
-    const std::vector<Material> materials = materials_of(body);
+    const std::vector<Material> materials = materials_of_cells(finite_elements(body));
     std::map<unsigned int, std::pair<double, double>> squares; // of the stress and of the energy, by cell
     for (std::size_t i = 0; i < better.size(); ++i)
     {

@@ -87,13 +87,10 @@ namespace abut
   } // namespace
 
   BoundaryPieces::BoundaryPieces(const BoundaryUnknowns &unknowns, const NearSystem &near)
+      : motions_(unknowns.motions())
   {
     const BoundarySpace &space = unknowns.space();
     const LegendreBasis &t = unknowns.tractions(), &u = unknowns.free().values;
-    motions_.resize(u.cols(), unknowns.rigid_motions().cols() + unknowns.hole_motions().cols());
-    motions_ << unknowns.displacements().transpose() * unknowns.rigid_motions(),
-        unknowns.displacements().transpose() * unknowns.hole_motions();
-
     const std::vector<std::size_t> piece_of = divide(space);
     const auto elements_of = extended(space, piece_of);
     const auto t_at = columns_at(space, t), u_at = columns_at(space, u);

@@ -2,6 +2,7 @@
 #include <abut/bem/boundary_problem.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 namespace abut
 {
@@ -79,25 +80,39 @@ namespace abut
     return result;
   }
 
-  std::optional<BoundaryState> BoundaryProblem::solve(const BoundaryState &known,
+  std::optional<BoundaryState> BoundaryProblem::solve(const BoundaryState &known, const BoundaryState &guess,
                                                       const double tolerance) const
   {
     unknowns_.check_balance(known);
-    const AllKernels kernels = this->kernels(tolerance);
+    const Kernels kernels = this->kernels(tolerance);
     // What is given: t_N, and u_D as the part of the displacement along supported directions.
     const Eigen::VectorXd given = unknowns_.given(known.displacement);
-    const DisplacementBasis u_d = unknowns_.densities(given);
-    Eigen::VectorXd right_side(unknowns_.size());
-    right_side << .5 * unknowns_.mass(unknowns_.tractions(), u_d.values).toDense(),
+    const auto with = [&](const Eigen::VectorXd &x) {
+      return BoundaryState{known.traction + unknowns_.tractions() * x.head(unknowns_.tractions().cols()),
+                           given + unknowns_.displacements() * x.tail(unknowns_.displacements().cols())};
+    };
+    const Eigen::VectorXd start = unknowns_of(guess);
+    const BoundaryState begin = with(start);
+    Eigen::VectorXd residual(unknowns_.size());
+    residual << .5 * unknowns_.mass(unknowns_.tractions(), unknowns_.densities(given).values).toDense(),
         .5 * unknowns_.mass(unknowns_.free().values, as_basis(known.traction)).toDense();
-    right_side -= multiply(known.traction, u_d, kernels.all);
-    const std::optional<Eigen::VectorXd> x = solve_system(right_side, kernels.far, tolerance);
-    if (!x)
+    residual -= multiply(begin.traction, unknowns_.densities(begin.displacement), kernels);
+    const std::optional<Eigen::VectorXd> missing = correction(residual, start, tolerance);
+    if (!missing)
       return {};
-    BoundaryState state{known.traction + unknowns_.tractions() * x->head(unknowns_.tractions().cols()),
-                        given + unknowns_.displacements() * x->tail(unknowns_.displacements().cols())};
-    place_holes(state, kernels.all);
+    BoundaryState state = with(start + *missing);
+    place_holes(state, kernels);
     return state;
+  }
+
+  Eigen::VectorXd BoundaryProblem::unknowns_of(const BoundaryState &state) const
+  {
+    Eigen::VectorXd u = unknowns_.displacements().transpose() * state.displacement;
+    if (const Eigen::MatrixXd motions = unknowns_.motions(); motions.cols() > 0)
+      u -= motions * motions.colPivHouseholderQr().solve(u).eval();
+    Eigen::VectorXd x(unknowns_.size());
+    x << unknowns_.tractions().transpose() * state.traction, u;
+    return x;
   }
 
   void BoundaryProblem::place_holes(BoundaryState &state, const Kernels &kernels) const

@@ -173,6 +173,13 @@ namespace abut
     }
   }
 
+  Eigen::MatrixXd BoundaryUnknowns::motions() const
+  {
+    Eigen::MatrixXd motions(displacements_.cols(), rigid_.cols() + hole_motions_.cols());
+    motions << displacements_.transpose() * rigid_, displacements_.transpose() * hole_motions_;
+    return motions;
+  }
+
   Eigen::VectorXd BoundaryUnknowns::given(const Eigen::VectorXd &displacement) const
   {
     return displacement - displacements_ * (displacements_.transpose() * displacement);

@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace abut
@@ -47,9 +48,9 @@ namespace abut
       const ClusterBox box = box_around(members, begin, end);
       cluster.disc.centre = box.centre();
       for (auto member = begin; member != end; ++member)
-        cluster.disc.radius =
-            std::max(cluster.disc.radius,
-                     std::abs(members[*member].centre - cluster.disc.centre) + members[*member].radius);
+        cluster.disc.radius = std::max(cluster.disc.radius,
+                                       std::sqrt(std::norm(members[*member].centre - cluster.disc.centre)) +
+                                           members[*member].radius);
       if (cluster.size() > leaf_size && !box.is_point())
       {
         const Complex middle = box.centre();

@@ -54,7 +54,7 @@ namespace abut
                                    std::max(problem.displacement_degree, problem.traction_degree)),
             supported_(supports()), problem_(space_, supported_, problem.traction_degree,
                                              problem.material.poisson_ratio, problem.rule),
-            state_(problem_.solve(known(), 0.).value())
+            state_(problem_.solve(known(), known(), 0.).value())
       {}
 
       BoundaryErrors errors() const

@@ -181,7 +181,7 @@ TEST(Mortar, TheGlueBalancesThePiecesOnRefinedMeshes)
       for (const bool is_slave : {true, false})
       {
         const GluedSides &pair = body.space().glued_sides().front();
-        const Trace side = body.space().trace(is_slave ? pair.slave : pair.master);
+        const Trace &side = body.space().trace(is_slave ? pair.slave : pair.master);
         Vector2 sum = Vector2::Zero();
         for (const auto &dofs : side.node_dofs())
           sum += Vector2(forces[dofs[0]], forces[dofs[1]]);

@@ -46,6 +46,8 @@ namespace abut
     const Eigen::MatrixXd &rigid_motions() const { return rigid_; }
     /// The same of each hole by itself.
     const Eigen::MatrixXd &hole_motions() const { return hole_motions_; }
+    /// Both, in the unknown displacements.
+    Eigen::MatrixXd motions() const;
 
     /// What is given of a displacement vector: its part along supported directions.
     Eigen::VectorXd given(const Eigen::VectorXd &displacement) const;

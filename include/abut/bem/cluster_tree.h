@@ -4,6 +4,7 @@
 #include <abut/bem/boundary_element.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace abut
@@ -52,6 +53,6 @@ namespace abut
   inline bool are_apart(const Disc &a, const Disc &b, const double convergence)
   {
     const double larger = std::max(a.radius, b.radius), smaller = std::min(a.radius, b.radius);
-    return larger + convergence * smaller <= convergence * std::abs(a.centre - b.centre);
+    return larger + convergence * smaller <= convergence * std::sqrt(std::norm(a.centre - b.centre));
   }
 } // namespace abut

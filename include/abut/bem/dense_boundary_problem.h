@@ -19,9 +19,10 @@ namespace abut
 
   private:
     void factorise();
-    AllKernels kernels(double tolerance) const override;
-    std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side, const Kernels &far,
-                                                double tolerance) const override;
+    Kernels kernels(double tolerance) const override;
+    std::optional<Eigen::VectorXd> correction(const Eigen::VectorXd &residual,
+                                              const Eigen::VectorXd &unknowns,
+                                              double tolerance) const override;
 
     LayerOperators operators_;
     Eigen::VectorXd traction_scale_, displacement_scale_;

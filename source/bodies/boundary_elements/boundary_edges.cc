@@ -190,19 +190,19 @@ namespace abut
     const auto is_own = [&](const Segment &segment) { return cells.empty() || cells[segment.cell]; };
     for (const auto boundary : body.space().mesh().triangulation.get_boundary_ids())
     {
-      Trace side = body.space().trace(boundary);
-      if (std::none_of(side.segments().begin(), side.segments().end(), is_own))
+      const Trace *side = &body.space().trace(boundary);
+      if (std::none_of(side->segments().begin(), side->segments().end(), is_own))
         continue;
       boundaries_.push_back(boundary);
       if (body.space().has_free_vertices())
-        side = with_common_vertices(side, vertices);
-      sides_.push_back(std::move(side));
+        side = &closed_.emplace_back(with_common_vertices(*side, vertices));
+      sides_.push_back(side);
     }
     const std::vector<Material> materials = materials_of_cells(body);
     for (std::size_t i = 0; i < sides_.size(); ++i)
-      for (const Segment &segment : sides_[i].segments())
+      for (const Segment &segment : sides_[i]->segments())
         if (is_own(segment))
-          edges_.push_back({&sides_[i], &segment, boundaries_[i], materials[segment.cell],
+          edges_.push_back({sides_[i], &segment, boundaries_[i], materials[segment.cell],
                             ends_at_glue(body.space(), boundaries_[i])});
     mark_singular_vertices(body, which);
   }

@@ -108,13 +108,16 @@ namespace abut
   BoundaryState BoundaryModel::solve(const BodySolution &solution, const double tolerance) const
   {
     check_points(solution);
-    if (kind_ == BoundarySolution::finite_element_trace)
-      return finite_element_state(solution);
     const BoundaryState known = data_->known(solution);
-    if (const std::optional<BoundaryState> state = problem_->solve(known, tolerance))
-      return *state;
-    problem_ = make_problem(false);
-    return problem_->solve(known, tolerance).value();
+    if (kind_ == BoundarySolution::finite_element_trace)
+      return finite_element_state(solution, known);
+    if (solves_fast())
+    {
+      if (const auto state = problem_->solve(known, finite_element_state(solution, known), tolerance))
+        return *state;
+      problem_ = make_problem(false);
+    }
+    return problem_->solve(known, known, tolerance).value();
   }
 
   BoundaryValues BoundaryModel::values(const BoundaryState &state) const
@@ -152,9 +155,10 @@ namespace abut
     slope.row(top) = .5 * (at_end + (top % 2 == 0 ? 1. : -1.) * at_start).transpose();
   }
 
-  BoundaryState BoundaryModel::finite_element_state(const BodySolution &solution) const
+  BoundaryState BoundaryModel::finite_element_state(const BodySolution &solution,
+                                                    const BoundaryState &known) const
   {
-    BoundaryState state = data_->known(solution);
+    BoundaryState state = known;
     state.traction +=
         data_->support_traction(body_.support_forces(solution.deformation, solution.contact_forces));
     return state;

@@ -36,6 +36,7 @@ namespace abut
       found.push_back(models_[piece]->stress(solution, places[piece], tolerance, cost));
     std::vector<std::size_t> next(models_.size(), 0);
     std::vector<Stress> stresses;
+    stresses.reserve(points.size());
     for (const SamplePoint &point : points)
     {
       const std::size_t piece = piece_of_[point.cell];

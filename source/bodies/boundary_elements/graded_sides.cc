@@ -64,14 +64,14 @@ namespace abut
       starts.push_back(edge.segment->points.front());
     const double shortest = 1e-7 * box_around(starts).diagonal();
     auto edge = boundary.edges().begin();
-    for (const Trace &side : boundary.sides())
+    for (const Trace *const side : boundary.sides())
     {
       Growing growing;
       pieces_.emplace_back();
-      for (; edge != boundary.edges().end() && edge->side == &side; ++edge)
+      for (; edge != boundary.edges().end() && edge->side == side; ++edge)
         add_edge(*edge, halvings(*edge->segment, shortest, n_splits), growing);
-      const auto geometry_degree = static_cast<unsigned int>(side.segments().front().points.size()) - 1;
-      sides_.emplace_back(side.basis().degree(), geometry_degree, growing.segments, growing.node_dofs);
+      const auto geometry_degree = static_cast<unsigned int>(side->segments().front().points.size()) - 1;
+      sides_.emplace_back(side->basis().degree(), geometry_degree, growing.segments, growing.node_dofs);
     }
   }
 

@@ -154,7 +154,7 @@ namespace abut
   {
     const SideConditions conditions(*this);
     const auto boundary = boundary_id(space_->mesh(), side);
-    const Trace trace = space_->trace(boundary);
+    const Trace &trace = space_->trace(boundary);
     LostLoad load;
     for (const Segment &segment : trace.segments())
     {

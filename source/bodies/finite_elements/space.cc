@@ -103,6 +103,7 @@ namespace abut
   void Space::distribute()
   {
     ++n_meshes_;
+    traces_.clear();
     if (has_free_vertices())
     {
       if (mesh_->cell_type == CellType::triangles)
@@ -169,7 +170,7 @@ namespace abut
     for (const GluedSides &pair : glued_)
     {
       ++n_mortars_;
-      const Trace slave = trace(pair.slave), master = trace(pair.master);
+      const Trace &slave = trace(pair.slave), &master = trace(pair.master);
       const SideOverlap overlap = overlap_of(slave, master, pair.reach);
       if (!(overlap.share > all_of_a_side))
         throw ComputationError(
@@ -215,10 +216,17 @@ namespace abut
     return result;
   }
 
-  Trace Space::trace(const dealii::types::boundary_id boundary) const
+  const Trace &Space::trace(const dealii::types::boundary_id boundary) const
   {
+    const std::lock_guard<std::mutex> lock(traces_mutex_);
+    const auto known = traces_.find(boundary);
+    if (known != traces_.end())
+      return known->second;
     const unsigned int degree = mesh_->curved ? curve_degree : 1;
-    return make_trace(dof_handler_, mesh_->geometry(degree), degree, boundary, mesh_->processes);
+    return traces_
+        .emplace(boundary,
+                 make_trace(dof_handler_, mesh_->geometry(degree), degree, boundary, mesh_->processes))
+        .first->second;
   }
 
   Eigen::Matrix2d gradient_at(const dealii::FEValuesBase<2> &values, const unsigned int point,

@@ -4,6 +4,7 @@
 #include <abut/base/material.h>
 #include <abut/bodies/finite_elements/finite_element_body.h>
 
+#include <list>
 #include <vector>
 
 namespace abut
@@ -45,7 +46,7 @@ namespace abut
     BoundaryEdges &operator=(const BoundaryEdges &) = delete;
 
     /// The boundary as closed curves.
-    const std::vector<Trace> &sides() const { return sides_; }
+    const std::vector<const Trace *> &sides() const { return sides_; }
     /// The boundary id of every side.
     const std::vector<dealii::types::boundary_id> &boundaries() const { return boundaries_; }
     /// All sides one after the other.
@@ -55,7 +56,8 @@ namespace abut
     void mark_singular_vertices(const FiniteElementBody &body, SingularVertices which);
 
     std::vector<dealii::types::boundary_id> boundaries_;
-    std::vector<Trace> sides_;
+    std::vector<const Trace *> sides_; // of the space, or
+    std::list<Trace> closed_;          // with common vertices
     std::vector<BoundaryEdge> edges_;
   };
 

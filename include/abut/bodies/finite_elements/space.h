@@ -20,7 +20,9 @@
 #include <Eigen/SparseCore>
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 
 namespace abut
 {
@@ -135,9 +137,10 @@ namespace abut
 
     /**
      * A side as a curve. On curved bodies its geometry is a polynomial of degree 4 on each edge whatever the
-     * degree of the space, so that gaps are those of the bodies and not of their chords.
+     * degree of the space, so that gaps are those of the bodies and not of their chords. Made when it is
+     * first asked for, and kept until the mesh changes.
      */
-    Trace trace(dealii::types::boundary_id boundary) const;
+    const Trace &trace(dealii::types::boundary_id boundary) const;
 
   private:
     /// Numbers the unknowns of the present mesh.
@@ -166,6 +169,8 @@ namespace abut
     Eigen::SparseMatrix<double> expansion_;
     Eigen::SparseMatrix<double> hanging_expansion_; // of glued bodies
     std::vector<Eigen::SparseMatrix<double>> glue_rows_;
+    mutable std::mutex traces_mutex_;
+    mutable std::map<dealii::types::boundary_id, Trace> traces_;
   };
 
   /// Gauss rule with n points in each direction of a quadrilateral; for triangles the one of like accuracy.
