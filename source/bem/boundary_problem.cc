@@ -84,24 +84,21 @@ namespace abut
                                                       const double tolerance) const
   {
     unknowns_.check_balance(known);
-    const Kernels kernels = this->kernels(tolerance);
+    const AllKernels kernels = this->kernels(tolerance);
     // What is given: t_N, and u_D as the part of the displacement along supported directions.
     const Eigen::VectorXd given = unknowns_.given(known.displacement);
-    const auto with = [&](const Eigen::VectorXd &x) {
-      return BoundaryState{known.traction + unknowns_.tractions() * x.head(unknowns_.tractions().cols()),
-                           given + unknowns_.displacements() * x.tail(unknowns_.displacements().cols())};
-    };
-    const Eigen::VectorXd start = unknowns_of(guess);
-    const BoundaryState begin = with(start);
-    Eigen::VectorXd residual(unknowns_.size());
-    residual << .5 * unknowns_.mass(unknowns_.tractions(), unknowns_.densities(given).values).toDense(),
+    const DisplacementBasis u_d = unknowns_.densities(given);
+    Eigen::VectorXd right_side(unknowns_.size());
+    right_side << .5 * unknowns_.mass(unknowns_.tractions(), u_d.values).toDense(),
         .5 * unknowns_.mass(unknowns_.free().values, as_basis(known.traction)).toDense();
-    residual -= multiply(begin.traction, unknowns_.densities(begin.displacement), kernels);
-    const std::optional<Eigen::VectorXd> missing = correction(residual, start, tolerance);
-    if (!missing)
+    right_side -= multiply(known.traction, u_d, kernels.all);
+    const std::optional<Eigen::VectorXd> x =
+        solve_system(right_side, unknowns_of(guess), kernels.far, tolerance);
+    if (!x)
       return {};
-    BoundaryState state = with(start + *missing);
-    place_holes(state, kernels);
+    BoundaryState state{known.traction + unknowns_.tractions() * x->head(unknowns_.tractions().cols()),
+                        given + unknowns_.displacements() * x->tail(unknowns_.displacements().cols())};
+    place_holes(state, kernels.all);
     return state;
   }
 

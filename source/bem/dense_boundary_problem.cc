@@ -67,28 +67,30 @@ namespace abut
       schur_complement_ = cholesky(std::move(schur), displacement_scale_, "Schur complement");
   }
 
-  BoundaryProblem::Kernels DenseBoundaryProblem::kernels(const double) const
+  BoundaryProblem::AllKernels DenseBoundaryProblem::kernels(const double) const
   {
-    return [this](const KernelDensities &densities) {
-      return operators_.kernels().multiply(densities, densities.traction);
-    };
+    return {[this](const KernelDensities &densities) {
+              return operators_.kernels().multiply(densities, densities.traction);
+            },
+            {}};
   }
 
-  std::optional<Eigen::VectorXd> DenseBoundaryProblem::correction(const Eigen::VectorXd &residual,
-                                                                  const Eigen::VectorXd &, const double) const
+  std::optional<Eigen::VectorXd> DenseBoundaryProblem::solve_system(const Eigen::VectorXd &right_side,
+                                                                    const Eigen::VectorXd &, const Kernels &,
+                                                                    const double) const
   {
     const Eigen::Index n_tractions = traction_scale_.size(), n_displacements = displacement_scale_.size();
-    Eigen::MatrixXd t = traction_scale_.cwiseProduct(residual.head(n_tractions));
+    Eigen::MatrixXd t = traction_scale_.cwiseProduct(right_side.head(n_tractions));
     single_layer_.solve_lower(t);
     Eigen::VectorXd u(n_displacements);
     if (n_displacements > 0)
     {
-      const Eigen::VectorXd load = residual.tail(n_displacements) - mixed_.transpose() * t;
+      const Eigen::VectorXd load = right_side.tail(n_displacements) - mixed_.transpose() * t;
       u = displacement_scale_.cwiseProduct(schur_complement_.solve(displacement_scale_.cwiseProduct(load)));
       t += mixed_ * u;
     }
     single_layer_.solve_upper(t);
-    Eigen::VectorXd x(residual.size());
+    Eigen::VectorXd x(right_side.size());
     x << traction_scale_.cwiseProduct(t.col(0)), u;
     return x;
   }

@@ -16,7 +16,7 @@ namespace abut
 
     constexpr unsigned int most_steps = 300;
     /// What differences of neighbouring unknowns, which the stress is made of, may lose.
-    constexpr double lost_in_slopes = 3e-2;
+    constexpr double lost_in_slopes = 1e-2;
     /// Of the products in the iteration.
     constexpr double most_tolerance = 1e-2;
 
@@ -46,50 +46,65 @@ namespace abut
         pieces_(unknowns(), near_)
   {}
 
-  BoundaryProblem::Kernels FastBoundaryProblem::kernels(const double tolerance) const
+  BoundaryProblem::AllKernels FastBoundaryProblem::kernels(const double tolerance) const
   {
     const auto expansions = std::make_shared<const FastKernels::Expansions>(kernels_, tolerance);
-    return [this, expansions](const KernelDensities &densities) {
-      return kernels_.multiply(densities, *expansions);
-    };
+    return {[this, expansions](const KernelDensities &densities) {
+              return kernels_.multiply(densities, *expansions);
+            },
+            [this, expansions](const KernelDensities &densities) {
+              return kernels_.multiply_far(densities, *expansions);
+            }};
   }
 
-  Eigen::VectorXd FastBoundaryProblem::multiply_unknowns(const Eigen::VectorXd &x,
-                                                         const FastKernels::Expansions &expansions) const
+  Eigen::VectorXd FastBoundaryProblem::multiply_unknowns(const Eigen::VectorXd &x, const Kernels &far) const
   {
     const Index n_displacements = unknowns().displacements().cols();
     const Eigen::VectorXd u = x.tail(n_displacements);
-    Eigen::VectorXd result = multiply(
-        unknowns().tractions() * x.head(unknowns().tractions().cols()),
-        {as_basis(unknowns().free().values * u), as_basis(unknowns().free().slopes * u)},
-        [&](const KernelDensities &densities) { return kernels_.multiply_far(densities, expansions); });
+    Eigen::VectorXd result =
+        multiply(unknowns().tractions() * x.head(unknowns().tractions().cols()),
+                 {as_basis(unknowns().free().values * u), as_basis(unknowns().free().slopes * u)}, far);
     near_.add_product(x, result);
     result.tail(n_displacements) += pieces_.hold_motions(u);
     return result;
   }
 
-  std::optional<Eigen::VectorXd> FastBoundaryProblem::correction(const Eigen::VectorXd &residual,
-                                                                 const Eigen::VectorXd &unknowns,
-                                                                 const double tolerance) const
+  std::optional<Eigen::VectorXd> FastBoundaryProblem::solve_system(const Eigen::VectorXd &right_side,
+                                                                   const Eigen::VectorXd &guess,
+                                                                   const Kernels &far,
+                                                                   const double tolerance) const
   {
-    const Eigen::VectorXd first = pieces_.solve(residual);
-    const double missing = first.norm(), size = std::max(missing, (unknowns + first).norm());
-    if (missing == 0.)
-      return first;
-    // What is small beside the unknowns needs fewer digits.
-    const FastKernels::Expansions expansions(kernels_, std::min(most_tolerance, tolerance * size / missing));
-    Deal solution(static_cast<Deal::size_type>(first.size())), load(residual.begin(), residual.end());
-    dealii::SolverControl control(most_steps, lost_in_slopes * tolerance * size, false, false);
+    const double size = pieces_.solve(right_side).norm(), error = lost_in_slopes * tolerance * size;
+    if (size == 0.)
+      return Eigen::VectorXd::Zero(right_side.size());
+    const Eigen::VectorXd residual = right_side - multiply_unknowns(guess, far);
+    const double missing = pieces_.solve(residual).norm();
+    if (missing >= size)
+      return iterate(right_side, far, error);
+    // What is small needs fewer digits.
+    const Kernels of_missing = kernels(std::min(most_tolerance, tolerance * size / missing)).far;
+    const std::optional<Eigen::VectorXd> correction = iterate(residual, of_missing, error);
+    if (!correction)
+      return {};
+    return guess + *correction;
+  }
+
+  std::optional<Eigen::VectorXd> FastBoundaryProblem::iterate(const Eigen::VectorXd &right_side,
+                                                              const Kernels &far, const double error) const
+  {
+    Deal solution(static_cast<Deal::size_type>(right_side.size())),
+        load(right_side.begin(), right_side.end());
+    dealii::SolverControl control(most_steps, error, false, false);
     dealii::SolverGMRES<Deal> gmres(control, dealii::SolverGMRES<Deal>::AdditionalData(most_steps + 2));
     try
     {
-      gmres.solve(operation([&](const Eigen::VectorXd &x) { return multiply_unknowns(x, expansions); }),
-                  solution, load, operation([&](const Eigen::VectorXd &x) { return pieces_.solve(x); }));
+      gmres.solve(operation([&](const Eigen::VectorXd &x) { return multiply_unknowns(x, far); }), solution,
+                  load, operation([&](const Eigen::VectorXd &x) { return pieces_.solve(x); }));
     }
     catch (const dealii::SolverControl::NoConvergence &)
     {
       return {};
     }
-    return Eigen::Map<const Eigen::VectorXd>(solution.begin(), first.size());
+    return Eigen::Map<const Eigen::VectorXd>(solution.begin(), right_side.size());
   }
 } // namespace abut

@@ -29,10 +29,10 @@ namespace abut
 
     /**
      * `known.traction` counts along directions that are not supported and must vanish along the others,
-     * `known.displacement` along supported ones (else it is disregarded). Looks for what is missing from
-     * `guess`, of which what is known is disregarded. To a relative accuracy of `tolerance` where the
-     * solution is iterative; none where the iteration does not get there. Throws ComputationError where the
-     * load is not balanced about a rigid motion that the supports leave free.
+     * `known.displacement` along supported ones (else it is disregarded). To a relative accuracy of
+     * `tolerance` where the solution is iterative, and then it begins at `guess`, of which what is known is
+     * disregarded; none where the iteration does not get there. Throws ComputationError where the load is not
+     * balanced about a rigid motion that the supports leave free.
      */
     std::optional<BoundaryState> solve(const BoundaryState &known, const BoundaryState &guess,
                                        double tolerance) const;
@@ -43,6 +43,11 @@ namespace abut
   protected:
     /// Products with the KernelMatrices of all elements.
     using Kernels = std::function<KernelProducts(const KernelDensities &)>;
+    struct AllKernels
+    {
+      Kernels all;
+      Kernels far; ///< what solve_system has in no other way
+    };
 
     /// `supported`: unit directions, none, one or two, for every element. Tractions are sought in polynomials
     /// of `traction_degree`. The space must outlive the problem.
@@ -56,10 +61,11 @@ namespace abut
 
   private:
     /// To a relative accuracy.
-    virtual Kernels kernels(double tolerance) const = 0;
-    /// What is missing from unknowns (tractions first), to an accuracy relative to them.
-    virtual std::optional<Eigen::VectorXd>
-    correction(const Eigen::VectorXd &residual, const Eigen::VectorXd &unknowns, double tolerance) const = 0;
+    virtual AllKernels kernels(double tolerance) const = 0;
+    /// The unknowns, tractions first.
+    virtual std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side,
+                                                        const Eigen::VectorXd &guess, const Kernels &far,
+                                                        double tolerance) const = 0;
     /// The unknowns of a state, without the motions that the system holds.
     Eigen::VectorXd unknowns_of(const BoundaryState &state) const;
 

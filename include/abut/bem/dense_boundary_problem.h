@@ -19,10 +19,10 @@ namespace abut
 
   private:
     void factorise();
-    Kernels kernels(double tolerance) const override;
-    std::optional<Eigen::VectorXd> correction(const Eigen::VectorXd &residual,
-                                              const Eigen::VectorXd &unknowns,
-                                              double tolerance) const override;
+    AllKernels kernels(double tolerance) const override;
+    std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side,
+                                                const Eigen::VectorXd &guess, const Kernels &far,
+                                                double tolerance) const override;
 
     LayerOperators operators_;
     Eigen::VectorXd traction_scale_, displacement_scale_;

@@ -20,13 +20,15 @@ namespace abut
                         unsigned int traction_degree, double poisson_ratio, const GalerkinRule &rule);
 
   private:
-    Kernels kernels(double tolerance) const override;
-    std::optional<Eigen::VectorXd> correction(const Eigen::VectorXd &residual,
-                                              const Eigen::VectorXd &unknowns,
-                                              double tolerance) const override;
-    /// The whole operator, with what is far by these expansions.
-    Eigen::VectorXd multiply_unknowns(const Eigen::VectorXd &x,
-                                      const FastKernels::Expansions &expansions) const;
+    AllKernels kernels(double tolerance) const override;
+    std::optional<Eigen::VectorXd> solve_system(const Eigen::VectorXd &right_side,
+                                                const Eigen::VectorXd &guess, const Kernels &far,
+                                                double tolerance) const override;
+    /// The whole operator.
+    Eigen::VectorXd multiply_unknowns(const Eigen::VectorXd &x, const Kernels &far) const;
+    /// Solves until the preconditioned residual is below `error`; none where it does not get there.
+    std::optional<Eigen::VectorXd> iterate(const Eigen::VectorXd &right_side, const Kernels &far,
+                                           double error) const;
 
     FastKernels kernels_;
     NearSystem near_;

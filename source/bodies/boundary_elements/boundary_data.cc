@@ -24,6 +24,21 @@ namespace abut
       return Vector2(element.direction.imag(), -element.direction.real());
     }
 
+    Vector2 supported_part(const std::vector<Vector2> &supported, const Vector2 &vector)
+    {
+      return vector - free_part(supported, vector);
+    }
+
+    /// A finite-element vector at the nodes of a side.
+    Eigen::VectorXd at_nodes(const Trace &side, const Eigen::VectorXd &vector)
+    {
+      Eigen::VectorXd values(2 * static_cast<Index>(side.n_nodes()));
+      for (std::size_t node = 0; node < side.n_nodes(); ++node)
+        for (std::size_t component = 0; component < 2; ++component)
+          values[static_cast<Index>(2 * node + component)] = vector[side.node_dofs()[node][component]];
+      return values;
+    }
+
     /// Scaled as boundary elements see it: force times length by the shear modulus.
     Vector2 scaled_body_force(const FiniteElementBody &body, const Material &material,
                               const BoundarySpace &space)
@@ -94,10 +109,10 @@ namespace abut
                         return conditions.traction(boundary, point, normal);
                       },
                       is_sampled ? n_sampled_pieces(side, segment) : 1),
-                  prescribed_);
+                  free_part, prescribed_);
   }
 
-  void BoundaryData::add_moments(const std::size_t element, const Eigen::MatrixX2d &moments,
+  void BoundaryData::add_moments(const std::size_t element, const Eigen::MatrixX2d &moments, const Part part,
                                  Eigen::VectorXd &traction) const
   {
     const LagrangeBasis basis(static_cast<unsigned int>(moments.rows()) - 1);
@@ -107,7 +122,7 @@ namespace abut
     for (Index j = 0; j < moments.rows(); ++j)
     {
       const auto p = legendre_values(2. * basis.nodes()[j] - 1.);
-      const Vector2 moment = free_part(supported_[element], moments.row(j).transpose()) / unit;
+      const Vector2 moment = part(supported_[element], moments.row(j).transpose()) / unit;
       for (unsigned int k = 0; k <= load_degree_; ++k)
         for (Index component = 0; component < 2; ++component)
           traction[component * n + static_cast<Index>(element) * n_each + k] +=
@@ -157,7 +172,7 @@ namespace abut
     const std::vector<Eigen::VectorXd> glue_forces =
         body_.glue_forces(solution.deformation, solution.contact_forces);
     for (const LoadedSide &side : loaded_)
-      add_load(side, applied_traction(side.trace, forces_on(side, solution, glue_forces)), state.traction);
+      add_load(side.trace, side.place, forces_on(side, solution, glue_forces), free_part, state.traction);
     return state;
   }
 
@@ -166,19 +181,13 @@ namespace abut
   {
     if (!side.is_glued)
       return body_.of_side(solution.contact_forces, side.number);
-    Eigen::VectorXd forces(2 * static_cast<Index>(side.trace.n_nodes()));
-    for (std::size_t node = 0; node < side.trace.n_nodes(); ++node)
-      for (std::size_t component = 0; component < 2; ++component)
-        forces[static_cast<Index>(2 * node + component)] =
-            glue_forces[side.number][side.trace.node_dofs()[node][component]];
-    return forces;
+    return at_nodes(side.trace, glue_forces[side.number]);
   }
 
-  void BoundaryData::add_load(const LoadedSide &loaded, const Eigen::VectorXd &traction,
-                              Eigen::VectorXd &sum) const
+  void BoundaryData::add_load(const Trace &side, const std::size_t place, const Eigen::VectorXd &forces,
+                              const Part part, Eigen::VectorXd &sum) const
   {
-    const Trace &side = loaded.trace;
-    const std::size_t place = loaded.place;
+    const Eigen::VectorXd traction = applied_traction(side, forces);
     const Trace &graded = sides_.sides()[place];
     for (std::size_t i = 0; i < graded.segments().size(); ++i)
     {
@@ -192,8 +201,23 @@ namespace abut
         for (std::size_t n = 0; n < nodes.size(); ++n)
           values.row(j) += shapes[static_cast<Index>(n)] * traction.segment<2>(2 * nodes[n]).transpose();
       }
-      add_moments(first_element_[place] + i, segment_mass(graded, graded.segments()[i]) * values, sum);
+      add_moments(first_element_[place] + i, segment_mass(graded, graded.segments()[i]) * values, part, sum);
     }
+  }
+
+  Eigen::VectorXd BoundaryData::nearly_support_traction(const Eigen::VectorXd &support_forces) const
+  {
+    Eigen::VectorXd sum = -uniform_support_;
+    for (std::size_t place = 0; place < first_element_.size(); ++place)
+    {
+      const auto first = supported_.begin() + static_cast<std::ptrdiff_t>(first_element_[place]),
+                 last = first + static_cast<std::ptrdiff_t>(sides_.sides()[place].segments().size());
+      if (std::all_of(first, last, [](const auto &directions) { return directions.empty(); }))
+        continue;
+      const Trace &side = body_.space().trace(sides_.boundaries()[place]);
+      add_load(side, place, at_nodes(side, support_forces), supported_part, sum);
+    }
+    return sum;
   }
 
   Eigen::VectorXd BoundaryData::support_traction(const Eigen::VectorXd &support_forces) const

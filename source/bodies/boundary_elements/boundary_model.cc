@@ -109,14 +109,15 @@ namespace abut
   {
     check_points(solution);
     const BoundaryState known = data_->known(solution);
-    if (kind_ == BoundarySolution::finite_element_trace)
-      return finite_element_state(solution, known);
-    if (solves_fast())
-    {
-      if (const auto state = problem_->solve(known, finite_element_state(solution, known), tolerance))
-        return *state;
-      problem_ = make_problem(false);
-    }
+    if (problem_ && !solves_fast())
+      return problem_->solve(known, known, tolerance).value();
+    const Eigen::VectorXd forces = body_.support_forces(solution.deformation, solution.contact_forces);
+    if (!problem_)
+      return {known.traction + data_->support_traction(forces), known.displacement};
+    const BoundaryState guess{known.traction + data_->nearly_support_traction(forces), known.displacement};
+    if (const std::optional<BoundaryState> state = problem_->solve(known, guess, tolerance))
+      return *state;
+    problem_ = make_problem(false);
     return problem_->solve(known, known, tolerance).value();
   }
 
@@ -153,15 +154,6 @@ namespace abut
       at_start[static_cast<Index>(next)] = -(1. - share) * jump;
     }
     slope.row(top) = .5 * (at_end + (top % 2 == 0 ? 1. : -1.) * at_start).transpose();
-  }
-
-  BoundaryState BoundaryModel::finite_element_state(const BodySolution &solution,
-                                                    const BoundaryState &known) const
-  {
-    BoundaryState state = known;
-    state.traction +=
-        data_->support_traction(body_.support_forces(solution.deformation, solution.contact_forces));
-    return state;
   }
 
   std::vector<Stress> BoundaryModel::stress(const BodySolution &solution, const std::vector<Vector2> &points,

@@ -49,6 +49,9 @@ namespace abut
     /// supports' nodal forces (a finite-element vector); less the UniformForce. For sides
     /// that are not split.
     Eigen::VectorXd support_traction(const Eigen::VectorXd &support_forces) const;
+    /// About the same, for any sides: each side by itself, so that nodal forces where two of them meet count
+    /// twice.
+    Eigen::VectorXd nearly_support_traction(const Eigen::VectorXd &support_forces) const;
     const UniformForce &uniform_force() const { return uniform_; }
 
   private:
@@ -64,11 +67,16 @@ namespace abut
     /// The nodal forces on a side.
     Eigen::VectorXd forces_on(const LoadedSide &side, const BodySolution &solution,
                               const std::vector<Eigen::VectorXd> &glue_forces) const;
-    void add_load(const LoadedSide &side, const Eigen::VectorXd &traction, Eigen::VectorXd &sum) const;
+    /// Of what a side's elements support, or of the rest: a part of a vector.
+    using Part = Vector2 (*)(const std::vector<Vector2> &supported, const Vector2 &vector);
+    /// Adds a part of the traction that nodal forces on a side stand for; `place` among all sides.
+    void add_load(const Trace &side, std::size_t place, const Eigen::VectorXd &forces, Part part,
+                  Eigen::VectorXd &sum) const;
     void add_prescribed(const SideConditions &conditions, const Trace &side,
                         dealii::types::boundary_id boundary, std::size_t first_element);
-    /// Adds to the Legendre coefficients of one element what the supports leave of a traction's moments.
-    void add_moments(std::size_t element, const Eigen::MatrixX2d &moments, Eigen::VectorXd &traction) const;
+    /// Adds to the Legendre coefficients of one element a part of a traction's moments.
+    void add_moments(std::size_t element, const Eigen::MatrixX2d &moments, Part part,
+                     Eigen::VectorXd &traction) const;
     void take_off_uniform_force();
 
     const FiniteElementBody &body_;

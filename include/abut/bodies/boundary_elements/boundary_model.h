@@ -51,8 +51,6 @@ namespace abut
     GalerkinRule rule() const;
     std::unique_ptr<BoundaryProblem> make_problem(bool fast) const;
     void smooth(Eigen::MatrixXcd &slope) const;
-    /// `known` and, at supports, the traction of the finite elements' reactions.
-    BoundaryState finite_element_state(const BodySolution &solution, const BoundaryState &known) const;
 
     const FiniteElementBody &body_;
     Material material_;
