@@ -4,11 +4,11 @@
 #include <abut/bem/legendre_moments.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace abut
 {
@@ -92,7 +92,7 @@ namespace abut
 
   BoundarySpace::BoundarySpace(const std::vector<Trace> &sides, const unsigned int displacement_degree,
                                const unsigned int density_degree)
-      : density_degree_(density_degree), dof_handler_(mesh_)
+      : density_degree_(density_degree)
   {
     Assert(displacement_degree <= density_degree && density_degree <= max_density_degree,
            dealii::ExcMessage("no such polynomials"));
@@ -142,29 +142,18 @@ namespace abut
 
   void BoundarySpace::number_nodes(const Ends &ends, const unsigned int degree)
   {
-    std::vector<dealii::Point<2>> points(ends.size());
-    std::vector<dealii::CellData<1>> cells(ends.size());
-    for (std::size_t i = 0; i < ends.size(); ++i)
-    {
-      points[ends[i][0]] = {elements_[i].start.real(), elements_[i].start.imag()};
-      cells[i].vertices = {ends[i][0], ends[i][1]};
-    }
-    mesh_.create_triangulation(points, cells, {});
-    dof_handler_.distribute_dofs(dealii::FE_Q<1, 2>(degree));
-
     const LagrangeBasis basis(degree);
-    std::vector<dealii::types::global_dof_index> dofs(degree + 1);
-    node_places_.resize(dof_handler_.n_dofs());
-    for (const auto &cell : dof_handler_.active_cell_iterators())
+    node_places_.resize(ends.size() * degree);
+    auto inner_node = static_cast<unsigned int>(ends.size());
+    for (std::size_t element = 0; element < ends.size(); ++element)
     {
-      cell->get_dof_indices(dofs); // both ends, then the interior
-      std::vector<unsigned int> nodes{static_cast<unsigned int>(dofs[0])};
-      for (unsigned int i = 2; i <= degree; ++i)
-        nodes.push_back(static_cast<unsigned int>(dofs[i]));
-      nodes.push_back(static_cast<unsigned int>(dofs[1]));
+      std::vector<unsigned int> nodes{ends[element][0]};
+      while (nodes.size() < degree)
+        nodes.push_back(inner_node++);
+      nodes.push_back(ends[element][1]);
       for (unsigned int i = 0; i <= degree; ++i)
-        node_places_[nodes[i]] = elements_[nodes_.size()].point(2. * basis.nodes()[i] - 1.);
-      nodes_.push_back(nodes);
+        node_places_[nodes[i]] = elements_[element].point(2. * basis.nodes()[i] - 1.);
+      nodes_.push_back(std::move(nodes));
     }
   }
 

@@ -14,7 +14,7 @@ namespace abut
     using Index = Eigen::Index;
     using Deal = dealii::Vector<double>;
 
-    constexpr unsigned int most_steps = 300;
+    constexpr unsigned int most_steps = 300, basis_size = 150;
     /// What differences of neighbouring unknowns, which the stress is made of, may lose.
     constexpr double lost_in_slopes = 1e-2;
     /// Of the products in the iteration.
@@ -95,7 +95,7 @@ namespace abut
     Deal solution(static_cast<Deal::size_type>(right_side.size())),
         load(right_side.begin(), right_side.end());
     dealii::SolverControl control(most_steps, error, false, false);
-    dealii::SolverGMRES<Deal> gmres(control, dealii::SolverGMRES<Deal>::AdditionalData(most_steps + 2));
+    dealii::SolverGMRES<Deal> gmres(control, dealii::SolverGMRES<Deal>::AdditionalData(basis_size + 2));
     try
     {
       gmres.solve(operation([&](const Eigen::VectorXd &x) { return multiply_unknowns(x, far); }), solution,

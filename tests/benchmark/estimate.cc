@@ -13,7 +13,6 @@
 #include <ctime>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -21,9 +20,7 @@ namespace
 {
   using namespace abut;
 
-  /// Below, times are short, and those of degree 1 not yet below those of the finite elements.
-  constexpr double fewest_unknowns_of_long_times = 9e4;
-  constexpr double most_ratio = 1., most_ratio_of_short_times = 1.5;
+  constexpr double most_ratio = 1.;
 
   double processor_seconds()
   {
@@ -62,6 +59,27 @@ namespace
     return result;
   }
 
+  /// A body that is solved.
+  struct Solved
+  {
+    std::unique_ptr<FiniteElementBody> body;
+    Eigen::VectorXd forces, deformation;
+    double seconds;
+
+    BodySolution solution() const { return {*body, deformation, forces}; }
+  };
+
+  Solved solve(const BodyDescription &description)
+  {
+    Solved solved{std::make_unique<FiniteElementBody>(description, std::vector<std::string>()), {}, {}, 0.};
+    const double begin = processor_seconds();
+    solved.body->prepare();
+    solved.forces.resize(solved.body->trace_size());
+    solved.deformation = solved.body->deformation(solved.forces, 0.);
+    solved.seconds = processor_seconds() - begin;
+    return solved;
+  }
+
   bool marks_the_same(const CellErrors &a, const CellErrors &b)
   {
     const AdaptationParameters parameters;
@@ -74,46 +92,32 @@ namespace
   /// The least of several times where they are short: other programs disturb them.
   unsigned int n_times(const double n_unknowns)
   {
-    return n_unknowns < fewest_unknowns_of_long_times ? 10 : 1;
-  }
-
-  Estimate least_estimate(const BodySolution &solution, const BoundaryAccuracy &accuracy,
-                          const unsigned int n)
-  {
-    Estimate least = estimate(solution, accuracy);
-    for (unsigned int i = 1; i < n; ++i)
-      least.seconds = std::min(least.seconds, estimate(solution, accuracy).seconds);
-    return least;
+    constexpr double long_time = 9e4; // unknowns
+    return n_unknowns < long_time ? 20 : 1;
   }
 
   /// Whether the estimate costs no more than the finite elements, and is the same as with all pairs.
   bool measure(const unsigned int degree, const double n_unknowns, const double most_pairs)
   {
-    const unsigned int n = n_times(n_unknowns);
-    std::unique_ptr<FiniteElementBody> body;
-    Eigen::VectorXd forces, deformation;
-    double finite_elements = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i < n; ++i)
+    const BodyDescription description = layer(degree, n_unknowns);
+    Solved solved = solve(description);
+    Estimate fast = estimate(solved.solution(), {});
+    double finite_elements = solved.seconds;
+    for (unsigned int i = 1; i < n_times(n_unknowns); ++i)
     {
-      body = std::make_unique<FiniteElementBody>(layer(degree, n_unknowns), std::vector<std::string>());
-      const double begin = processor_seconds();
-      body->prepare();
-      forces.resize(body->trace_size());
-      deformation = body->deformation(forces, 0.);
-      finite_elements = std::min(finite_elements, processor_seconds() - begin);
+      solved = solve(description);
+      finite_elements = std::min(finite_elements, solved.seconds);
+      fast.seconds = std::min(fast.seconds, estimate(solved.solution(), {}).seconds);
     }
-    const BodySolution solution{*body, deformation, forces};
-    const Estimate fast = least_estimate(solution, {}, n);
     const double ratio = fast.seconds / finite_elements;
-    std::cout << std::setw(6) << degree << std::setw(10) << deformation.size() << std::setw(10)
+    std::cout << std::setw(6) << degree << std::setw(10) << solved.deformation.size() << std::setw(10)
               << fast.errors.boundary.unknowns << std::fixed << std::setprecision(3) << std::setw(12)
               << finite_elements << std::setw(12) << fast.seconds << std::setprecision(2) << std::setw(8)
               << ratio;
-    bool good =
-        ratio <= (n_unknowns < fewest_unknowns_of_long_times ? most_ratio_of_short_times : most_ratio);
+    bool good = ratio <= most_ratio;
     if (n_unknowns <= most_pairs)
     {
-      const Estimate pairs = least_estimate(solution, {0.}, n);
+      const Estimate pairs = estimate(solved.solution(), {0.});
       const double difference =
           (fast.errors.stress - pairs.errors.stress).norm() / pairs.errors.stress.norm();
       const bool same = marks_the_same(fast.errors, pairs.errors);

@@ -5,9 +5,6 @@
 #include <abut/bem/layer_operators.h>
 #include <abut/trace/trace.h>
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/grid/tria.h>
-
 #include <Eigen/SparseCore>
 
 #include <optional>
@@ -38,10 +35,8 @@ namespace abut
     unsigned int density_degree() const { return density_degree_; }
     /// Coefficients of one component.
     Eigen::Index n_coefficients() const { return n_elements() * (density_degree_ + 1); }
-    Eigen::Index n_nodes() const { return static_cast<Eigen::Index>(dof_handler_.n_dofs()); }
-
-    const dealii::DoFHandler<1, 2> &dof_handler() const { return dof_handler_; }
-    /// The nodes of an element from its start to its end.
+    Eigen::Index n_nodes() const { return static_cast<Eigen::Index>(node_places_.size()); }
+    /// The nodes of an element from its start to its end. Vertices have the first numbers.
     const std::vector<unsigned int> &nodes(const std::size_t element) const { return nodes_[element]; }
     const std::vector<Complex> &node_places() const { return node_places_; }
     /// The element that begins where this one ends.
@@ -76,8 +71,6 @@ namespace abut
     double unit_length_ = 1.;
     std::vector<BoundaryElement> elements_;
     std::vector<std::size_t> next_, sides_;
-    dealii::Triangulation<1, 2> mesh_;
-    dealii::DoFHandler<1, 2> dof_handler_;
     std::vector<std::vector<unsigned int>> nodes_;
     std::vector<Complex> node_places_;
     DisplacementBasis displacements_;

@@ -188,7 +188,7 @@ namespace abut
   {
     std::vector<std::pair<Vector2, std::array<unsigned int, 2>>> vertices;
     const auto is_own = [&](const Segment &segment) { return cells.empty() || cells[segment.cell]; };
-    for (const auto boundary : body.space().mesh().triangulation.get_boundary_ids())
+    for (const auto boundary : body.space().boundary_ids())
     {
       const Trace *side = &body.space().trace(boundary);
       if (std::none_of(side->segments().begin(), side->segments().end(), is_own))

@@ -58,7 +58,7 @@ namespace abut
   std::vector<BoundarySide> FiniteElementBody::boundary() const
   {
     std::map<dealii::types::boundary_id, std::vector<std::string>> names;
-    for (const dealii::types::boundary_id id : space_->mesh().triangulation.get_boundary_ids())
+    for (const dealii::types::boundary_id id : space_->boundary_ids())
       names[id];
     for (const auto &[name, id] : space_->mesh().boundaries)
       if (const auto side = names.find(id); side != names.end())

@@ -103,6 +103,7 @@ namespace abut
   void Space::distribute()
   {
     ++n_meshes_;
+    boundary_ids_.clear();
     traces_.clear();
     if (has_free_vertices())
     {
@@ -216,9 +217,17 @@ namespace abut
     return result;
   }
 
+  const std::vector<dealii::types::boundary_id> &Space::boundary_ids() const
+  {
+    const std::lock_guard<std::mutex> lock(sides_mutex_);
+    if (boundary_ids_.empty())
+      boundary_ids_ = mesh_->triangulation.get_boundary_ids();
+    return boundary_ids_;
+  }
+
   const Trace &Space::trace(const dealii::types::boundary_id boundary) const
   {
-    const std::lock_guard<std::mutex> lock(traces_mutex_);
+    const std::lock_guard<std::mutex> lock(sides_mutex_);
     const auto known = traces_.find(boundary);
     if (known != traces_.end())
       return known->second;

@@ -135,6 +135,8 @@ namespace abut
     /// Gauss rule for the cells, exact for polynomials of degree 2 p + 1 (per direction on quadrilaterals).
     const dealii::Quadrature<2> &quadrature() const { return quadrature_; }
 
+    /// The ids of all sides. Found when first asked for, and kept until the mesh changes.
+    const std::vector<dealii::types::boundary_id> &boundary_ids() const;
     /**
      * A side as a curve. On curved bodies its geometry is a polynomial of degree 4 on each edge whatever the
      * degree of the space, so that gaps are those of the bodies and not of their chords. Made when it is
@@ -169,7 +171,8 @@ namespace abut
     Eigen::SparseMatrix<double> expansion_;
     Eigen::SparseMatrix<double> hanging_expansion_; // of glued bodies
     std::vector<Eigen::SparseMatrix<double>> glue_rows_;
-    mutable std::mutex traces_mutex_;
+    mutable std::mutex sides_mutex_; // of what follows
+    mutable std::vector<dealii::types::boundary_id> boundary_ids_;
     mutable std::map<dealii::types::boundary_id, Trace> traces_;
   };
 
