@@ -52,10 +52,15 @@ namespace abut
   {
     Assert(round_off >= 0., dealii::ExcMessage("a rounding is a length"));
     const BoundaryElement &longer = a.length < b.length ? b : a, &shorter = a.length < b.length ? a : b;
-    const Complex start = std::conj(longer.direction) * (shorter.start - longer.start);
-    const Complex end = std::conj(longer.direction) * (shorter.end - longer.start);
-    const double reach = std::max({longer.length, std::abs(start.real()), std::abs(end.real())});
-    return std::max(std::abs(start.imag()), std::abs(end.imag())) <= round_off * reach / longer.length;
+    const double along_x = longer.direction.real(), along_y = longer.direction.imag();
+    double reach = longer.length, off = 0.;
+    for (const Complex &vertex : {shorter.start, shorter.end})
+    {
+      const double x = vertex.real() - longer.start.real(), y = vertex.imag() - longer.start.imag();
+      reach = std::max(reach, std::abs(along_x * x + along_y * y));
+      off = std::max(off, std::abs(along_x * y - along_y * x));
+    }
+    return off * longer.length <= round_off * reach;
   }
 
   PairIntegrals self_integrals(const BoundaryElement &element, const unsigned int degree)

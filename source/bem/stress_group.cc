@@ -6,6 +6,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -40,18 +41,23 @@ namespace abut
       p_imag += v_re * b_im + v_im * b_re;
     }
 
-    /// Sums over n_blocks blocks of fields, seen from x + i y.
+    using Wanted = std::array<bool, stress_lanes>;
+    constexpr Wanted all_lanes = {{true, true, true, true}};
+
+    /// Sums over n blocks of fields, a step from one to the next, seen from x + i y, and adds what is wanted.
     ABUT_VECTOR_VERSIONS
-    void add_lanes(const double *fields, const std::size_t n_blocks, const double x, const double y,
-                   StressSums &sums)
+    void add_lanes(const double *fields, const std::size_t n, const std::size_t step, const double x,
+                   const double y, const Wanted &wanted, StressSums &sums)
     {
       double q_imag[stress_lanes] = {}, p_real[stress_lanes] = {}, p_imag[stress_lanes] = {};
-      for (std::size_t i = 0; i < n_blocks; ++i, fields += block)
+      for (std::size_t i = 0; i < n; ++i, fields += step)
         for (unsigned int lane = 0; lane < stress_lanes; ++lane)
           add_gauss_point(fields + lane, fields[lane] - x, fields[lane + stress_lanes] - y, q_imag[lane],
                           p_real[lane], p_imag[lane]);
       for (unsigned int lane = 0; lane < stress_lanes; ++lane)
       {
+        if (!wanted[lane])
+          continue;
         sums.q_imag += q_imag[lane];
         sums.p_real += p_real[lane];
         sums.p_imag += p_imag[lane];
@@ -189,27 +195,33 @@ namespace abut
     const double square = std::norm(place);
     for (std::size_t r = 0; r < lanes_.size(); ++r)
       if (square >= from_square_[r])
-        return add_lanes(lanes_[r].data(), lanes_[r].size() / block, place.real(), place.imag(), sums);
-    for (unsigned int lane = 0; lane < elements_.size(); ++lane)
-      add_element(rules, lane, z, sums);
+        return add_lanes(lanes_[r].data(), lanes_[r].size() / block, block, place.real(), place.imag(),
+                         all_lanes, sums);
+    for (unsigned int first = 0; first < elements_.size(); first += stress_lanes)
+      add_close(rules, first, z, sums);
   }
 
-  void StressGroup::add_element(const StressRules &rules, const unsigned int lane, const Complex z,
-                                StressSums &sums) const
+  void StressGroup::add_close(const StressRules &rules, const unsigned int first, const Complex z,
+                              StressSums &sums) const
   {
-    const BoundaryElement &element = elements_[lane];
-    const double square = std::norm(z - element.point(0.)) / (element.length * element.length);
-    std::size_t r = 0;
-    while (r < rules.rules.size() && square < rules.rules[r].from_square)
-      ++r;
-    if (r == rules.rules.size())
-      return add_closed_stress(element, densities_[lane], rules.degree, z, sums);
-    const Complex from_start = element.start - z, half = .5 * (element.end - element.start);
-    for (Eigen::Index j = 0; j < rules.rules[r].points.size(); ++j)
+    Wanted wanted{};
+    std::size_t rule = 0;
+    for (std::size_t lane = 0; lane < std::min<std::size_t>(stress_lanes, elements_.size() - first); ++lane)
     {
-      const Complex w = from_start + (1. + rules.rules[r].points[j]) * half;
-      add_gauss_point(lanes_[r].data() + lane_place(j, lane), w.real(), w.imag(), sums.q_imag, sums.p_real,
-                      sums.p_imag);
+      const BoundaryElement &element = elements_[first + lane];
+      const double square = std::norm(z - element.point(0.)) / (element.length * element.length);
+      std::size_t r = 0;
+      while (r < rules.rules.size() && square < rules.rules[r].from_square)
+        ++r;
+      wanted[lane] = r < rules.rules.size();
+      if (wanted[lane])
+        rule = std::max(rule, r);
+      else
+        add_closed_stress(element, densities_[first + lane], rules.degree, z, sums);
     }
+    const Complex place = z - centre_;
+    add_lanes(lanes_[rule].data() + lane_place(0, first),
+              static_cast<std::size_t>(rules.rules[rule].points.size()), blocks * block, place.real(),
+              place.imag(), wanted, sums);
   }
 } // namespace abut

@@ -57,8 +57,7 @@ namespace abut
 
   /**
    * A few consecutive elements with their densities. Far from all of them, their Gauss points are summed over
-   * in lanes, for which the compiler has vector instructions; close to one, each element is looked at by
-   * itself.
+   * in lanes, for which the compiler has vector instructions; close to one, a few elements at a time.
    */
   class StressGroup
   {
@@ -75,7 +74,9 @@ namespace abut
   private:
     void fill_lane(unsigned int lane, const BoundaryElement &element, const StressDensity &density,
                    const StressRules &rules);
-    void add_element(const StressRules &rules, unsigned int lane, Complex z, StressSums &sums) const;
+    /// The elements that are summed over side by side from the first one on: in closed form those close to z,
+    /// the others by the Gauss points that the closest of them needs.
+    void add_close(const StressRules &rules, unsigned int first, Complex z, StressSums &sums) const;
 
     std::vector<BoundaryElement> elements_;
     std::vector<StressDensity> densities_;

@@ -176,7 +176,10 @@ namespace abut
                                        : InteriorStress(space_->elements(), known, 1., nu).at(places);
     const double mu = material_.mu();
     for (std::size_t i = 0; i < places.size(); ++i)
-      stresses[i] = stresses[i] * mu + data_->uniform_force().stress(places[i]) * mu;
+      stresses[i] = stresses[i] * mu;
+    if (!data_->uniform_force().is_zero())
+      for (std::size_t i = 0; i < places.size(); ++i)
+        stresses[i] = stresses[i] + data_->uniform_force().stress(places[i]) * mu;
     return stresses;
   }
 } // namespace abut

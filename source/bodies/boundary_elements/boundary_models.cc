@@ -31,6 +31,8 @@ namespace abut
     std::vector<std::vector<Vector2>> places(models_.size());
     for (const SamplePoint &point : points)
       places[piece_of_[point.cell]].push_back(point.place);
+    if (models_.size() == 1)
+      return models_.front()->stress(solution, places.front(), tolerance, cost);
     std::vector<std::vector<Stress>> found;
     for (std::size_t piece = 0; piece < models_.size(); ++piece)
       found.push_back(models_[piece]->stress(solution, places[piece], tolerance, cost));

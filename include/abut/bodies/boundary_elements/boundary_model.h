@@ -43,10 +43,7 @@ namespace abut
     Eigen::Index n_unknowns() const { return problem_ ? problem_->n_unknowns() : 0; }
 
   private:
-    bool solves_fast() const
-    {
-      return accuracy_.solves_fast(static_cast<std::size_t>(space_->n_coefficients()));
-    }
+    bool solves_fast() const { return accuracy_.solves_fast(space_->elements().size()); }
     bool evaluates_fast() const { return accuracy_.evaluates_fast(space_->elements().size()); }
     GalerkinRule rule() const;
     std::unique_ptr<BoundaryProblem> make_problem(bool fast) const;
