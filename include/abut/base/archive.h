@@ -18,6 +18,10 @@ namespace abut
 {
   using Bytes = std::vector<char>;
 
+  /// Whether a type consists of numbers alone, so that many of them can be copied at once. Records that do
+  /// say so where they are declared.
+  template <typename T> inline constexpr bool consists_of_numbers = std::is_arithmetic_v<T>;
+
   /**
    * Turns values into bytes, or takes them from there in the same order: for processes of one program on
    * machines of one kind. A record lists what it consists of, once for both directions:
@@ -56,7 +60,7 @@ namespace abut
 
     template <typename T> void pass(T &value)
     {
-      if constexpr (std::is_arithmetic_v<T>)
+      if constexpr (consists_of_numbers<T>)
         pass_bytes(&value, sizeof(T));
       else
         value.serialize(*this);
@@ -83,7 +87,7 @@ namespace abut
       std::size_t size = values.size();
       pass(size);
       values.resize(size);
-      if constexpr (std::is_arithmetic_v<Value>)
+      if constexpr (consists_of_numbers<Value>)
         pass_bytes(values.data(), size * sizeof(Value));
       else
         for (Value &value : values)

@@ -23,9 +23,8 @@ namespace abut
 
     /// sigma : sigma, the integrand of the L2 norm over xx, yy, zz and twice xy.
     double square() const { return xx * xx + yy * yy + zz * zz + 2. * xy * xy; }
-
-    void serialize(Archive &archive) { archive(xx, yy, xy, zz); }
   };
+  template <> inline constexpr bool consists_of_numbers<Stress> = true;
 
   inline Stress operator+(const Stress &a, const Stress &b)
   {

@@ -43,6 +43,12 @@ namespace abut
     Eigen::SparseMatrix<double> expansion(const dealii::AffineConstraints<double> &constraints,
                                           const Eigen::Index n)
     {
+      Eigen::SparseMatrix<double> matrix(n, n);
+      if (constraints.n_constraints() == 0)
+      {
+        matrix.setIdentity();
+        return matrix;
+      }
       std::vector<Eigen::Triplet<double>> entries;
       for (Eigen::Index i = 0; i < n; ++i)
       {
@@ -53,7 +59,6 @@ namespace abut
           for (const auto &[other, factor] : *constraints.get_constraint_entries(dof))
             entries.emplace_back(static_cast<int>(i), static_cast<int>(other), factor);
       }
-      Eigen::SparseMatrix<double> matrix(n, n);
       matrix.setFromTriplets(entries.begin(), entries.end());
       return matrix;
     }

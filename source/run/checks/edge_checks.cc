@@ -61,15 +61,15 @@ namespace abut
 
     /// The edge that presses into the other side, elastic, at an end of a part: one of the sides ends there,
     /// the other goes on.
-    std::optional<EdgePlace> edge_at(const PairResult &pair, const std::size_t part, const std::size_t end)
+    std::optional<EdgePlace> edge_at(const PairResult &pair, const CommonNormal &normal,
+                                     const std::size_t part, const std::size_t end)
     {
       const Piece &piece = outermost_piece(pair.surface->partition(), part, end);
       if (piece.link != pair.pair->link())
         return {};
       const ContactBody &cut = pair.pair->cut_side(), &other = pair.pair->other_side();
-      const double
-          s = end == 0 ? piece.start : piece.end,
-          t = CommonNormal(*cut.trace, *other.trace).project(piece.cut_segment, s, piece.other_segment).t;
+      const double s = end == 0 ? piece.start : piece.end,
+                   t = normal.project(piece.cut_segment, s, piece.other_segment).t;
       const bool cut_ends = side_ends(*cut.trace, piece.cut_segment, s, end),
                  other_ends = side_ends(*other.trace, piece.other_segment, t, 1 - end); // it runs back
       if (cut_ends == other_ends || (cut_ends ? other : cut).is_rigid())
@@ -99,6 +99,7 @@ namespace abut
     /// The edge with the largest pressure, where that is a share of the largest one of all.
     std::optional<PressedEdge> pressed_edge(const PairResult &pair, const std::vector<BodyResult> &bodies)
     {
+      const CommonNormal normal(*pair.pair->cut_side().trace, *pair.pair->other_side().trace);
       std::optional<PressedEdge> most;
       double least = share_of_peak * pair.max_pressure;
       for (const std::size_t part : pair.parts)
@@ -107,7 +108,7 @@ namespace abut
           const double pressure = pair.pressures[static_cast<Eigen::Index>(part)];
           if (!pair.presses(part) || pressure < least)
             continue;
-          const auto edge = edge_at(pair, part, end);
+          const auto edge = edge_at(pair, normal, part, end);
           if (!edge || !is_edge(*bodies[edge->side->body].body, edge->point()))
             continue;
           most = {*edge, pressure};
