@@ -6,7 +6,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,27 +40,55 @@ namespace abut
       p_imag += v_re * b_im + v_im * b_re;
     }
 
-    using Wanted = std::array<bool, stress_lanes>;
-    constexpr Wanted all_lanes = {{true, true, true, true}};
-
-    /// Sums over n blocks of fields, a step from one to the next, seen from x + i y, and adds what is wanted.
+    /// Sums over n blocks of fields, seen from x + i y.
     ABUT_VECTOR_VERSIONS
-    void add_lanes(const double *fields, const std::size_t n, const std::size_t step, const double x,
-                   const double y, const Wanted &wanted, StressSums &sums)
+    void add_lanes(const double *fields, const std::size_t n_blocks, const double x, const double y,
+                   StressSums &sums)
     {
       double q_imag[stress_lanes] = {}, p_real[stress_lanes] = {}, p_imag[stress_lanes] = {};
-      for (std::size_t i = 0; i < n; ++i, fields += step)
+      for (std::size_t i = 0; i < n_blocks; ++i, fields += block)
         for (unsigned int lane = 0; lane < stress_lanes; ++lane)
           add_gauss_point(fields + lane, fields[lane] - x, fields[lane + stress_lanes] - y, q_imag[lane],
                           p_real[lane], p_imag[lane]);
       for (unsigned int lane = 0; lane < stress_lanes; ++lane)
       {
-        if (!wanted[lane])
-          continue;
         sums.q_imag += q_imag[lane];
         sums.p_real += p_real[lane];
         sums.p_imag += p_imag[lane];
       }
+    }
+
+    /// A few elements seen from a point: differences of vertices, which keep their digits close to it.
+    struct CloseElements
+    {
+      bool wanted[stress_lanes] = {};
+      double start_x[stress_lanes] = {1., 1., 1., 1.}; // not at the point, where no element is
+      double start_y[stress_lanes] = {}, half_x[stress_lanes] = {}, half_y[stress_lanes] = {};
+    };
+
+    /// Sums over the Gauss points of those that are wanted; their fields begin a step from one point to the
+    /// next.
+    ABUT_VECTOR_VERSIONS
+    void add_close_lanes(const double *fields, const std::size_t step, const Eigen::VectorXd &points,
+                         const CloseElements &elements, StressSums &sums)
+    {
+      const CloseElements own = elements;
+      double q_imag[stress_lanes] = {}, p_real[stress_lanes] = {}, p_imag[stress_lanes] = {};
+      for (Eigen::Index i = 0; i < points.size(); ++i, fields += step)
+      {
+        const double halves = 1. + points[i];
+        for (unsigned int lane = 0; lane < stress_lanes; ++lane)
+          add_gauss_point(fields + lane, own.start_x[lane] + halves * own.half_x[lane],
+                          own.start_y[lane] + halves * own.half_y[lane], q_imag[lane], p_real[lane],
+                          p_imag[lane]);
+      }
+      for (unsigned int lane = 0; lane < stress_lanes; ++lane)
+        if (own.wanted[lane])
+        {
+          sums.q_imag += q_imag[lane];
+          sums.p_real += p_real[lane];
+          sums.p_imag += p_imag[lane];
+        }
     }
 
     /// StressRules::closed_distance for each degree, where the recurrence has lost about 5e-13; less accurate
@@ -195,8 +222,7 @@ namespace abut
     const double square = std::norm(place);
     for (std::size_t r = 0; r < lanes_.size(); ++r)
       if (square >= from_square_[r])
-        return add_lanes(lanes_[r].data(), lanes_[r].size() / block, block, place.real(), place.imag(),
-                         all_lanes, sums);
+        return add_lanes(lanes_[r].data(), lanes_[r].size() / block, place.real(), place.imag(), sums);
     for (unsigned int first = 0; first < elements_.size(); first += stress_lanes)
       add_close(rules, first, z, sums);
   }
@@ -204,24 +230,29 @@ namespace abut
   void StressGroup::add_close(const StressRules &rules, const unsigned int first, const Complex z,
                               StressSums &sums) const
   {
-    Wanted wanted{};
+    CloseElements close;
     std::size_t rule = 0;
-    for (std::size_t lane = 0; lane < std::min<std::size_t>(stress_lanes, elements_.size() - first); ++lane)
+    for (unsigned int lane = 0; lane < stress_lanes && first + lane < elements_.size(); ++lane)
     {
       const BoundaryElement &element = elements_[first + lane];
-      const double square = std::norm(z - element.point(0.)) / (element.length * element.length);
+      const Complex from_start = element.start - z, half = .5 * (element.end - element.start);
+      const double square = std::norm(from_start + half) / (element.length * element.length);
       std::size_t r = 0;
       while (r < rules.rules.size() && square < rules.rules[r].from_square)
         ++r;
-      wanted[lane] = r < rules.rules.size();
-      if (wanted[lane])
-        rule = std::max(rule, r);
-      else
+      if (r == rules.rules.size())
+      {
         add_closed_stress(element, densities_[first + lane], rules.degree, z, sums);
+        continue;
+      }
+      rule = std::max(rule, r);
+      close.wanted[lane] = true;
+      close.start_x[lane] = from_start.real();
+      close.start_y[lane] = from_start.imag();
+      close.half_x[lane] = half.real();
+      close.half_y[lane] = half.imag();
     }
-    const Complex place = z - centre_;
-    add_lanes(lanes_[rule].data() + lane_place(0, first),
-              static_cast<std::size_t>(rules.rules[rule].points.size()), blocks * block, place.real(),
-              place.imag(), wanted, sums);
+    add_close_lanes(lanes_[rule].data() + lane_place(0, first), blocks * block, rules.rules[rule].points,
+                    close, sums);
   }
 } // namespace abut
