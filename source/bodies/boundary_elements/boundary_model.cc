@@ -109,15 +109,19 @@ namespace abut
   {
     check_points(solution);
     const BoundaryState known = data_->known(solution);
-    if (problem_ && !solves_fast())
-      return problem_->solve(known, known, tolerance).value();
-    const Eigen::VectorXd forces = body_.support_forces(solution.deformation, solution.contact_forces);
-    if (!problem_)
-      return {known.traction + data_->support_traction(forces), known.displacement};
-    const BoundaryState guess{known.traction + data_->nearly_support_traction(forces), known.displacement};
-    if (const std::optional<BoundaryState> state = problem_->solve(known, guess, tolerance))
-      return *state;
-    problem_ = make_problem(false);
+    const auto support_forces = [&]() {
+      return body_.support_forces(solution.deformation, solution.contact_forces);
+    };
+    if (kind_ == BoundarySolution::finite_element_trace)
+      return {known.traction + data_->support_traction(support_forces()), known.displacement};
+    if (solves_fast())
+    {
+      const BoundaryState guess{known.traction + data_->nearly_support_traction(support_forces()),
+                                known.displacement};
+      if (const std::optional<BoundaryState> state = problem_->solve(known, guess, tolerance))
+        return *state;
+      problem_ = make_problem(false);
+    }
     return problem_->solve(known, known, tolerance).value();
   }
 

@@ -16,8 +16,8 @@ namespace abut
   public:
     UniformForce(const Vector2 &force, double poisson_ratio) : force_(force), nu_(poisson_ratio) {}
 
-    /// -(1 - 2 nu) / (4 (1 - nu)) (f_x x^2, f_y y^2)
     bool is_zero() const { return force_ == Vector2::Zero(); }
+    /// -(1 - 2 nu) / (4 (1 - nu)) (f_x x^2, f_y y^2)
     Vector2 displacement(Complex z) const;
     /// xx = -f_x x - nu/(1 - nu) f_y y, yy = -f_y y - nu/(1 - nu) f_x x, xy = 0
     Stress stress(Complex z) const;
