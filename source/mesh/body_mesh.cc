@@ -59,6 +59,7 @@ namespace abut
         vertices.emplace_back(vertex.x(), vertex.y());
 
       std::vector<dealii::CellData<2>> cells;
+      cells.reserve(mesh.cells.size());
       for (const auto &cell : mesh.cells)
       {
         cells.emplace_back(static_cast<unsigned int>(cell.size()));
@@ -66,7 +67,7 @@ namespace abut
         if (!mesh.cell_materials.empty())
           cells.back().material_id = mesh.cell_materials[cells.size() - 1];
       }
-      if (mesh.cell_type == CellType::quadrilaterals)
+      if (mesh.cell_type == CellType::quadrilaterals && !mesh.is_one_block)
         dealii::GridTools::consistently_order_cells(cells);
 
       dealii::SubCellData edges;

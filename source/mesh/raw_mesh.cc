@@ -36,6 +36,7 @@ namespace abut
     turn_cells_over(image);
 
     RawMesh result = mesh;
+    result.is_one_block = false;
     std::vector<unsigned int> image_index(mesh.vertices.size());
     for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
       if (mesh.vertices[v][component] == 0.)

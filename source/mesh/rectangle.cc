@@ -39,6 +39,7 @@ namespace abut
     const unsigned int nx = body.cells[0], ny = body.cells[1];
     const auto index = [&](unsigned int i, unsigned int j) { return j * (nx + 1) + i; };
     mesh.add_block({{nx, ny}}, index);
+    mesh.is_one_block = true;
     mesh.add_side("left", ny, [&](unsigned int j) { return index(0, j); });
     mesh.add_side("right", ny, [&](unsigned int j) { return index(nx, j); });
     mesh.add_side("bottom", nx, [&](unsigned int i) { return index(i, 0); });

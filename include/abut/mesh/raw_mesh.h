@@ -45,6 +45,7 @@ namespace abut
     CellType cell_type = CellType::quadrilaterals;
     std::vector<Vector2> vertices;
     std::vector<std::vector<unsigned int>> cells;
+    bool is_one_block = false; ///< of quadrilaterals: an edge runs the same way in both of its cells
     std::vector<BoundaryEdge> boundary_edges;
     std::vector<BoundaryEdge>
         inner_edges; ///< that stand for curves inside, between materials; without a side
