@@ -40,7 +40,7 @@ namespace abut
       p_imag += v_re * b_im + v_im * b_re;
     }
 
-    /// Sums over n blocks of fields, seen from x + i y.
+    /// Sums over n_blocks blocks of fields, seen from x + i y.
     ABUT_VECTOR_VERSIONS
     void add_lanes(const double *fields, const std::size_t n_blocks, const double x, const double y,
                    StressSums &sums)
