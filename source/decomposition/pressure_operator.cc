@@ -2,6 +2,7 @@
 #include <abut/base/dense_cholesky.h>
 #include <abut/base/sparse_cholesky.h>
 #include <abut/base/user_error.h>
+#include <abut/decomposition/compliance_sum.h>
 #include <abut/decomposition/conjugate_gradients.h>
 #include <abut/decomposition/model_compliance.h>
 
@@ -94,36 +95,14 @@ namespace abut
 
       Eigen::MatrixXd solve_sparse(const ActiveSet &active, const Eigen::MatrixXd &right_sides) const
       {
-        const Eigen::SparseMatrix<double> matrix = assemble(active);
+        Eigen::SparseMatrix<double> matrix = sum_on(active, compliance_.blocks());
+        matrix.diagonal() += penalty_terms(problem_, active);
         const Eigen::VectorXd scaling = Eigen::VectorXd(matrix.diagonal()).cwiseSqrt().cwiseInverse();
         if (!scaling.allFinite())
           refuse_dependent_multipliers();
         const SparseCholesky factor(scaling.asDiagonal() * matrix * scaling.asDiagonal(),
                                     "The interface problem");
         return scaling.asDiagonal() * factor.solve(scaling.asDiagonal() * right_sides);
-      }
-
-      Eigen::SparseMatrix<double> assemble(const ActiveSet &active) const
-      {
-        std::vector<int> position(static_cast<std::size_t>(problem_.n_pressures()), -1);
-        for (std::size_t k = 0; k < active.size(); ++k)
-          position[static_cast<std::size_t>(active[k])] = static_cast<int>(k);
-        std::vector<Eigen::Triplet<double>> entries;
-        for (const ComplianceBlock &block : compliance_.blocks())
-          for (std::size_t j = 0; j < block.columns.size(); ++j)
-            for (std::size_t i = 0; i < block.columns.size(); ++i)
-            {
-              const int row = position[static_cast<std::size_t>(block.columns[i])],
-                        column = position[static_cast<std::size_t>(block.columns[j])];
-              if (row >= 0 && column >= 0)
-                entries.emplace_back(row, column, block.matrix(static_cast<Index>(i), static_cast<Index>(j)));
-            }
-        const Eigen::VectorXd penalties = penalty_terms(problem_, active);
-        for (Index k = 0; k < penalties.size(); ++k)
-          entries.emplace_back(static_cast<int>(k), static_cast<int>(k), penalties[k]);
-        Eigen::SparseMatrix<double> matrix(penalties.size(), penalties.size());
-        matrix.setFromTriplets(entries.begin(), entries.end());
-        return matrix;
       }
 
       /// By conjugate gradients with the model as preconditioner; nothing where the compliance has become a
