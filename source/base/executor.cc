@@ -63,14 +63,17 @@ namespace abut
       return body.cost / body.n_processes;
     }
 
-    /// The ranks with the least to do.
-    Ranks least(const std::vector<double> &loads, const unsigned int n)
+    /// The ranks with the least to do; of those with as much, rather those of `before`.
+    Ranks least(const std::vector<double> &loads, const unsigned int n, const Ranks &before)
     {
       AssertIndexRange(n, loads.size() + 1);
       Ranks ranks(loads.size());
       std::iota(ranks.begin(), ranks.end(), 0u);
+      const auto key = [&](const unsigned int rank) {
+        return std::pair(loads[rank], !std::binary_search(before.begin(), before.end(), rank));
+      };
       std::stable_sort(ranks.begin(), ranks.end(),
-                       [&](const unsigned int r, const unsigned int s) { return loads[r] < loads[s]; });
+                       [&](const unsigned int r, const unsigned int s) { return key(r) < key(s); });
       ranks.resize(n);
       std::sort(ranks.begin(), ranks.end());
       return ranks;
@@ -98,7 +101,7 @@ namespace abut
     });
     for (const std::size_t a : movable)
     {
-      homes[a] = least(loads, bodies[a].n_processes);
+      homes[a] = least(loads, bodies[a].n_processes, homes[a]);
       add(a);
     }
     return homes;
@@ -177,12 +180,12 @@ namespace abut
     {
       failure = std::current_exception();
     }
-    std::vector<Bytes> all = processes_->exchange(std::move(own), failure, type);
-    for (unsigned int rank = 0; rank < all.size(); ++rank)
+    const Gathered all = processes_->exchange(std::move(own), failure, type);
+    for (unsigned int rank = 0; rank < n_processes_; ++rank)
     {
       if (rank == rank_)
         continue;
-      Archive archive(all[rank], Archive::Direction::unpack);
+      Archive archive = all.of(rank);
       for (std::size_t a = 0; a < n_bodies; ++a)
         if (homes_[a].front() == rank)
           pass(archive, a);

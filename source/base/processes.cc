@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iostream>
 #include <new>
+#include <numeric>
+#include <utility>
 
 namespace abut
 {
@@ -83,38 +85,34 @@ namespace abut
       return announced.failure != none;
     }
 
-    /// Everybody's bytes, by rank: one message of all for a gigabyte, as MPI counts in int.
-    std::vector<Bytes> gather(const Bytes &own, const std::vector<Announcement> &all,
-                              const MPI_Comm communicator)
+    /// Everybody's bytes. MPI counts in int: where that is not enough, in pages.
+    Gathered gather(Bytes own, const std::vector<Announcement> &all, const MPI_Comm communicator)
     {
-      const std::size_t at_once = (std::size_t(1) << 30) / all.size();
-      const auto left = [&](const std::size_t size, const std::size_t begin) {
-        return std::min(at_once, size - std::min(begin, size));
-      };
-      std::size_t longest = 0;
+      constexpr std::size_t page = 4096, most_bytes = std::size_t(1) << 30;
+      std::vector<std::size_t> sizes;
       for (const Announcement &announced : all)
-        longest = std::max<std::size_t>(longest, announced.size);
-
-      std::vector<Bytes> bytes(all.size());
-      std::vector<int> counts(all.size()), begins(all.size());
-      Bytes message;
-      for (std::size_t begin = 0; begin < longest; begin += at_once)
+        sizes.push_back(announced.size);
+      const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0)),
+                        unit = total < most_bytes ? 1 : page;
+      const auto in_units = [&](const std::size_t size) {
+        return static_cast<int>((size + unit - 1) / unit);
+      };
+      Gathered gathered(sizes, unit);
+      std::vector<int> counts, begins;
+      for (unsigned int rank = 0; rank < all.size(); ++rank)
       {
-        int total = 0;
-        for (std::size_t rank = 0; rank < all.size(); ++rank)
-        {
-          counts[rank] = static_cast<int>(left(all[rank].size, begin));
-          begins[rank] = total;
-          total += counts[rank];
-        }
-        message.resize(static_cast<std::size_t>(total));
-        MPI_Allgatherv(own.data() + std::min(begin, own.size()), static_cast<int>(left(own.size(), begin)),
-                       MPI_BYTE, message.data(), counts.data(), begins.data(), MPI_BYTE, communicator);
-        for (std::size_t rank = 0; rank < all.size(); ++rank)
-          bytes[rank].insert(bytes[rank].end(), message.begin() + begins[rank],
-                             message.begin() + begins[rank] + counts[rank]);
+        counts.push_back(in_units(sizes[rank]));
+        begins.push_back(in_units(gathered.begin(rank)));
       }
-      return bytes;
+      const int count = in_units(own.size());
+      own.resize(static_cast<std::size_t>(count) * unit);
+      MPI_Datatype unit_type = MPI_DATATYPE_NULL;
+      MPI_Type_contiguous(static_cast<int>(unit), MPI_BYTE, &unit_type);
+      MPI_Type_commit(&unit_type);
+      MPI_Allgatherv(own.data(), count, unit_type, gathered.data(), counts.data(), begins.data(), unit_type,
+                     communicator);
+      MPI_Type_free(&unit_type);
+      return gathered;
     }
 
     /// The words of the process that has failed, in all of them; `own` are its own there.
@@ -172,8 +170,18 @@ namespace abut
     return std::shared_ptr<Processes>(new Processes(std::make_unique<Communicator>(handle)));
   }
 
-  std::vector<Bytes> Processes::exchange(const Bytes &own, const std::exception_ptr &failure,
-                                         const std::uint64_t meeting)
+  Gathered::Gathered(std::vector<std::size_t> sizes, const std::size_t alignment) : sizes_(std::move(sizes))
+  {
+    std::size_t end = 0;
+    for (const std::size_t size : sizes_)
+    {
+      begins_.push_back(end);
+      end += (size + alignment - 1) / alignment * alignment;
+    }
+    bytes_.reset(new char[end]); // not set to zero
+  }
+
+  Gathered Processes::exchange(Bytes own, const std::exception_ptr &failure, const std::uint64_t meeting)
   {
     if (ended_by_)
       std::rethrow_exception(ended_by_);
@@ -201,7 +209,7 @@ namespace abut
       std::rethrow_exception(error);
     }
 
-    return gather(own, all, communicator_->handle());
+    return gather(std::move(own), all, communicator_->handle());
   }
 
   void Processes::together(const std::uint64_t meeting, const std::function<void()> &f)

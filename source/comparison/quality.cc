@@ -91,11 +91,61 @@ namespace abut
       });
     }
 
-    void add(const ErrorSquares &cell, ErrorSquares &sum)
+    void operator+=(ErrorSquares &sum, const ErrorSquares &more)
     {
-      sum.estimated += cell.estimated;
-      sum.computed += cell.computed;
-      sum.better += cell.better;
+      sum.estimated += more.estimated;
+      sum.computed += more.computed;
+      sum.better += more.better;
+    }
+
+    /// What one body adds to the worth of an indicator.
+    struct BodyQuality
+    {
+      bool is_known = false;
+      EstimatorQuality sums;                   ///< without correlations
+      std::vector<double> estimated, computed; ///< errors of all cells
+
+      void serialize(Archive &archive) { archive(is_known, sums, estimated, computed); }
+    };
+
+    BodyQuality body_quality(const OwnStress &response, const CellErrors &errors, const BodyResult &result,
+                             const std::vector<Vector2> &ends)
+    {
+      BodyQuality quality;
+      quality.is_known = static_cast<bool>(response);
+      if (!quality.is_known)
+        return quality;
+      CellSquares squares = cell_squares(response, result, errors.stress.size(), errors.better);
+      add_corners(response, result, errors.better_at_corners, squares);
+      const std::vector<CellInfo> cells = result.body->cells();
+      AssertDimension(errors.stress.size(), static_cast<Index>(cells.size()));
+      EstimatorQuality &sums = quality.sums;
+      sums.stress = squares.stress;
+      sums.has_better = !errors.better.empty();
+      for (Index i = 0; i < errors.stress.size(); ++i)
+      {
+        const CellInfo &info = cells[static_cast<std::size_t>(i)];
+        const ErrorSquares cell{errors.stress[i] * errors.stress[i], squares.computed[i], squares.better[i]};
+        sums.whole += cell;
+        if (is_at_end(info, ends))
+          sums.contact_end += cell;
+        (info.at_boundary ? sums.boundary : sums.interior) += cell;
+        quality.estimated.push_back(errors.stress[i]);
+        quality.computed.push_back(std::sqrt(squares.computed[i]));
+      }
+      return quality;
+    }
+
+    void add(const BodyQuality &body, BodyQuality &all)
+    {
+      all.sums.whole += body.sums.whole;
+      all.sums.boundary += body.sums.boundary;
+      all.sums.contact_end += body.sums.contact_end;
+      all.sums.interior += body.sums.interior;
+      all.sums.stress += body.sums.stress;
+      all.sums.has_better = all.sums.has_better && body.sums.has_better;
+      all.estimated.insert(all.estimated.end(), body.estimated.begin(), body.estimated.end());
+      all.computed.insert(all.computed.end(), body.computed.begin(), body.computed.end());
     }
 
     /// Equal values share their mean rank.
@@ -123,61 +173,34 @@ namespace abut
       return u.dot(v) / (u.norm() * v.norm());
     }
 
-    /// Estimated and true errors of all cells.
-    struct ErrorLists
-    {
-      std::vector<double> estimated, computed;
-    };
-
     double correlation(const std::vector<double> &a, const std::vector<double> &b, const bool of_ranks)
     {
       const auto n = static_cast<Index>(a.size());
       const Eigen::Map<const Eigen::VectorXd> x(a.data(), n), y(b.data(), n);
       return of_ranks ? correlation(ranks(x), ranks(y)) : correlation(x, y);
     }
-
-    void add_body(const BodyResult &result, const CellErrors &errors, const CellSquares &squares,
-                  const std::vector<Vector2> &ends, EstimatorQuality &quality, ErrorLists &lists)
-    {
-      const std::vector<CellInfo> cells = result.body->cells();
-      AssertDimension(errors.stress.size(), static_cast<Index>(cells.size()));
-      quality.stress += squares.stress;
-      quality.has_better = quality.has_better && !errors.better.empty();
-      for (Index i = 0; i < errors.stress.size(); ++i)
-      {
-        const CellInfo &info = cells[static_cast<std::size_t>(i)];
-        const ErrorSquares cell{errors.stress[i] * errors.stress[i], squares.computed[i], squares.better[i]};
-        add(cell, quality.whole);
-        if (is_at_end(info, ends))
-          add(cell, quality.contact_end);
-        add(cell, info.at_boundary ? quality.boundary : quality.interior);
-        lists.estimated.push_back(errors.stress[i]);
-        lists.computed.push_back(std::sqrt(squares.computed[i]));
-      }
-    }
   } // namespace
 
   std::optional<EstimatorQuality> estimator_quality(const ExactSolution &exact, const Estimation &estimation,
                                                     const std::vector<BodyResult> &bodies,
-                                                    const std::vector<PairResult> &pairs)
+                                                    const std::vector<PairResult> &pairs,
+                                                    const Executor &executor)
   {
     AssertDimension(estimation.errors.size(), bodies.size());
-    EstimatorQuality quality;
-    quality.has_better = true;
     const std::vector<Vector2> ends = contact_ends(pairs);
-    ErrorLists lists;
-    for (std::size_t a = 0; a < bodies.size(); ++a)
+    BodyQuality all;
+    all.sums.has_better = true;
+    for (const BodyQuality &body : executor.of_bodies(bodies.size(), [&](const std::size_t a) {
+           return body_quality(exact.response(a, bodies[a]), estimation.errors[a], bodies[a], ends);
+         }))
     {
-      const OwnStress response = exact.response(a, bodies[a]);
-      if (!response)
+      if (!body.is_known)
         return {};
-      const CellErrors &errors = estimation.errors[a];
-      CellSquares squares = cell_squares(response, bodies[a], errors.stress.size(), errors.better);
-      add_corners(response, bodies[a], errors.better_at_corners, squares);
-      add_body(bodies[a], errors, squares, ends, quality, lists);
+      add(body, all);
     }
-    quality.pearson = correlation(lists.estimated, lists.computed, false);
-    quality.spearman = correlation(lists.estimated, lists.computed, true);
+    EstimatorQuality quality = all.sums;
+    quality.pearson = correlation(all.estimated, all.computed, false);
+    quality.spearman = correlation(all.estimated, all.computed, true);
     return quality;
   }
 } // namespace abut

@@ -23,6 +23,7 @@ namespace abut
         stress_error += other.stress_error;
         stress += other.stress;
       }
+      void serialize(Archive &archive) { archive(energy_error, energy, stress_error, stress); }
     };
 
     Squares compare(const OwnStress &exact, const BodyResult &result)
@@ -79,15 +80,17 @@ namespace abut
   } // namespace
 
   TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
-                         const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs)
+                         const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs,
+                         const Executor &executor)
   {
     AssertDimension(bodies.size(), scene.bodies.size());
     TrueErrors errors;
     if (exact.stress(0))
     {
       Squares squares;
-      for (std::size_t a = 0; a < bodies.size(); ++a)
-        squares += compare(exact.stress(a), bodies[a]);
+      for (const Squares &of_body : executor.of_bodies(
+               bodies.size(), [&](const std::size_t a) { return compare(exact.stress(a), bodies[a]); }))
+        squares += of_body;
       errors.energy = std::sqrt(squares.energy_error / squares.energy);
       errors.stress = std::sqrt(squares.stress_error / squares.stress);
     }

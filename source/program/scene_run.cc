@@ -68,8 +68,8 @@ namespace abut
       ProgressLine progress(out, is_terminal, quiet);
       RunObserver observer;
       tell_progress(observer, simulation, told.history, progress, clock);
-      if (scene.writes_report) // all draw, as bodies whose meshes processes share are asked by all of them
-        observer.state = [&](const PassState &state) { told.drawings.add(state.results); };
+      if (scene.writes_report)
+        observer.state = [&](const PassState &state) { told.drawings.add(state.results, executor); };
       std::optional<CheckpointWriter> checkpoints;
       if (executor.is_first())
         checkpoints.emplace(scene, directory);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <abut/bodies/each_body.h>
 #include <abut/report/apart.h>
 #include <abut/report/deformed.h>
 
@@ -16,6 +15,8 @@ namespace abut
     {
       Polyline points, displacements;
       std::vector<unsigned int> cells;
+
+      void serialize(Archive &archive) { archive(points, displacements, cells); }
     };
 
     Outlines outlines_of(const Body &body, const Eigen::VectorXd &field)
@@ -123,15 +124,11 @@ namespace abut
     return drawn_body(result, Eigen::VectorXd::Zero(result.displacement.size()), Vector2::Zero());
   }
 
-  DrawnScene deformed_scene(const Results &results)
+  DrawnScene deformed_scene(const Results &results, const Executor &executor)
   {
     const std::size_t n_bodies = results.bodies.size();
-    std::vector<Outlines> deformations(n_bodies);
-    const auto shares_mesh = [&](const std::size_t a) {
-      return results.bodies[a].body->description().shares_mesh;
-    };
-    for_each_body(n_bodies, shares_mesh, [&](const std::size_t a) {
-      deformations[a] = outlines_of(*results.bodies[a].body, results.bodies[a].deformation);
+    const std::vector<Outlines> deformations = executor.of_bodies(n_bodies, [&](const std::size_t a) {
+      return outlines_of(*results.bodies[a].body, results.bodies[a].deformation);
     });
 
     DrawnScene scene;
@@ -141,10 +138,8 @@ namespace abut
     for (const BodyResult &body : results.bodies)
       drawn.push_back(exaggerated(body, scene.exaggeration));
     const Polyline shifts = shifts_apart(results, drawn, scene.size);
-    scene.bodies.resize(n_bodies);
-    for_each_body(n_bodies, shares_mesh, [&](const std::size_t a) {
-      scene.bodies[a] = drawn_body(results.bodies[a], drawn[a], shifts[a]);
-    });
+    scene.bodies = executor.of_bodies(
+        n_bodies, [&](const std::size_t a) { return drawn_body(results.bodies[a], drawn[a], shifts[a]); });
     for (const PairResult &pair : results.pairs)
     {
       const std::size_t body = pair.pair->cut_side().body;

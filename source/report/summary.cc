@@ -27,10 +27,9 @@ namespace abut
     {
       const Counts counts = result.body->counts();
       const MeshQuality quality = result.body->mesh_quality();
-      const std::vector<CellInfo> cells = result.body->cells();
-      const auto [coarsest, finest] = std::minmax_element(
-          cells.begin(), cells.end(), [](const CellInfo &a, const CellInfo &b) { return a.level < b.level; });
-
+      const auto level = [&](const unsigned int value) {
+        return counts.cells == 0 ? Json(nullptr) : Json(value);
+      };
       Json reactions = Json::object();
       for (const auto &[boundary, force] : result.reactions.by_boundary)
         reactions[boundary] = components(force);
@@ -39,8 +38,7 @@ namespace abut
               {"cells", counts.cells},
               {"dofs", counts.dofs},
               {"boundary_dofs", counts.boundary_dofs},
-              {"cells_at_glue",
-               std::count_if(cells.begin(), cells.end(), [](const CellInfo &cell) { return cell.at_glue; })},
+              {"cells_at_glue", result.cells.n_at_glue},
               {"condition", number(result.condition)},
               {"energy", number(result.energy)},
               {"max_von_mises", number(result.peaks.von_mises.value)},
@@ -48,8 +46,8 @@ namespace abut
               {"max_displacement", number(result.peaks.displacement.value)},
               {"rigid_displacement",
                result.body->resultant() ? number(result.rigid_displacement) : Json(nullptr)},
-              {"min_level", cells.empty() ? Json(nullptr) : Json(coarsest->level)},
-              {"max_level", cells.empty() ? Json(nullptr) : Json(finest->level)},
+              {"min_level", level(result.cells.min_level)},
+              {"max_level", level(result.cells.max_level)},
               {"h_max", number(quality.h_max)},
               {"h_boundary", number(quality.h_boundary)},
               {"h_ratio", number(quality.h_boundary / quality.h_max)},

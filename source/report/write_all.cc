@@ -72,9 +72,8 @@ namespace abut
       if (executor.is_first())
         remove_old_results(directory);
       const std::vector<FieldFile> fields = write_fields(results, executor, folder);
-      // Bodies whose meshes processes share are asked by all of them.
       if (results.scene->writes_report || fits_a_picture(results))
-        drawings.add_last(results);
+        drawings.add_last(results, executor);
       json = summary(results, total_seconds);
       if (!executor.is_first())
         return written;

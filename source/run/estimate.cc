@@ -132,17 +132,36 @@ namespace abut
 
   namespace
   {
-    /// "fe-be", or "fe-be, kelly" where bodies differ.
-    std::string names_of(const Indicator &indicator, const std::vector<BodyResult> &bodies)
+    /// What an indicator says of itself for a body.
+    struct Certificate
+    {
+      std::string name, why_none; ///< see Indicator::name_for, why_uncertified
+
+      void serialize(Archive &archive) { archive(name, why_none); }
+    };
+
+    /// Tells what estimates, "fe-be", or "fe-be, kelly" where bodies differ, and why it is no bound.
+    void add_certificates(const Indicator &indicator, const Setup &setup, const Solution &solution,
+                          Estimation &estimation)
     {
       std::set<std::string> names;
-      for (const BodyResult &body : bodies)
-        if (!body.body->description().is_rigid)
-          names.insert(indicator.name_for(*body.body));
-      std::string all;
+      for (const Certificate &certificate :
+           setup.model.executor().of_bodies(solution.bodies.size(), [&](const std::size_t a) {
+             const Body &body = *solution.bodies[a].body;
+             if (body.description().is_rigid)
+               return Certificate();
+             return Certificate{indicator.name_for(body), setup.scene.adaptation.certifies()
+                                                              ? indicator.why_uncertified(body)
+                                                              : std::string()};
+           }))
+      {
+        if (!certificate.name.empty())
+          names.insert(certificate.name);
+        if (estimation.why_uncertified.empty())
+          estimation.why_uncertified = certificate.why_none;
+      }
       for (const std::string &name : names)
-        all += (all.empty() ? "" : ", ") + name;
-      return all;
+        estimation.estimator += (estimation.estimator.empty() ? "" : ", ") + name;
     }
 
     Estimation estimate_by(const Indicator &indicator, const Setup &setup, Solution &solution)
@@ -165,11 +184,7 @@ namespace abut
         solution.bodies[a].eta = estimation.eta[a];
         solution.bodies[a].better = estimation.errors[a].better;
       }
-      estimation.estimator = names_of(indicator, solution.bodies);
-      if (setup.scene.adaptation.certifies())
-        for (const BodyResult &body : solution.bodies)
-          if (estimation.why_uncertified.empty() && !body.body->description().is_rigid)
-            estimation.why_uncertified = indicator.why_uncertified(*body.body);
+      add_certificates(indicator, setup, solution, estimation);
       return estimation;
     }
   } // namespace
@@ -191,7 +206,7 @@ namespace abut
     /// How far the error has to go down; somewhat below the tolerance, since a mesh does not keep all that is
     /// expected of it.
     std::vector<CellMarks> marks_for_tolerance(const Scene &scene, const Estimation &estimation,
-                                               const Results &results)
+                                               const Results &results, const Executor &executor)
     {
       constexpr double safety = .8;
       std::vector<GoalCells> cells;
@@ -202,7 +217,7 @@ namespace abut
                              ? safety * scene.tolerance / results.passes.back().error_for_tolerance()
                              : .5;
       GoalMarks marks = goal_marks(cells, aim);
-      grade_towards_singularities(cells, aim, results, marks.cells);
+      grade_towards_singularities(cells, aim, results, executor, marks.cells);
       if (scene.goal.is_energy())
         mark_pressures(scene, results, scene.tolerance, marks.cells);
       return std::move(marks.cells);
@@ -241,12 +256,13 @@ namespace abut
     }
   } // namespace
 
-  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation, const Results &results)
+  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation, const Results &results,
+                                  const Executor &executor)
   {
     const std::vector<BodyResult> &bodies = results.bodies;
     AssertDimension(bodies.size(), scene.bodies.size());
     const bool for_tolerance = Registry<MarkingEntry>::get().find(scene.adaptation.marking).needs_tolerance;
-    std::vector<CellMarks> marks = for_tolerance ? marks_for_tolerance(scene, estimation, results)
+    std::vector<CellMarks> marks = for_tolerance ? marks_for_tolerance(scene, estimation, results, executor)
                                                  : marks_of_bodies(scene, estimation, bodies);
     for (const PairResult &pair : results.pairs)
       mark_missed(scene, pair, bodies, marks);

@@ -145,9 +145,25 @@ namespace abut
       BodyPeaks peaks;
       double condition = std::numeric_limits<double>::quiet_NaN();
       BodyCounters counters;
+      CellsSummary cells;
 
-      void serialize(Archive &archive) { archive(peaks, condition, counters); }
+      void serialize(Archive &archive) { archive(peaks, condition, counters, cells); }
     };
+
+    CellsSummary summary_of(const std::vector<CellInfo> &cells)
+    {
+      CellsSummary summary;
+      if (!cells.empty())
+        summary.min_level = cells.front().level;
+      for (const CellInfo &cell : cells)
+      {
+        summary.min_level = std::min(summary.min_level, cell.level);
+        summary.max_level = std::max(summary.max_level, cell.level);
+        if (cell.at_glue)
+          ++summary.n_at_glue;
+      }
+      return summary;
+    }
 
     FinalValues final_values(const BodyResult &result, const bool tells_condition)
     {
@@ -161,6 +177,7 @@ namespace abut
       if (tells_condition)
         values.condition = body.condition();
       values.counters = body.counters();
+      values.cells = summary_of(body.cells());
       return values;
     }
   } // namespace
@@ -174,6 +191,7 @@ namespace abut
       bodies[a].peaks = values[a].peaks;
       bodies[a].condition = values[a].condition;
       bodies[a].counters = values[a].counters;
+      bodies[a].cells = values[a].cells;
       bodies[a].n_processes = executor.n_processes_of(a);
     }
   }

@@ -53,12 +53,31 @@ namespace abut
       return places;
     }
 
-    std::vector<Singularity> find_singularities(const Solution &solution)
+    struct SingularVertex
+    {
+      Vector2 place = Vector2::Zero();
+      std::vector<unsigned int> cells;
+
+      void serialize(Archive &archive) { archive(place, cells); }
+    };
+
+    std::vector<SingularVertex> singular_vertices(const Body &body)
+    {
+      std::vector<SingularVertex> vertices;
+      for (const Vector2 &vertex : body.singular_vertices())
+        vertices.push_back({vertex, body.cells_at(vertex)});
+      return vertices;
+    }
+
+    std::vector<Singularity> find_singularities(const Solution &solution, const Executor &executor)
     {
       std::vector<Singularity> found;
-      for (std::size_t a = 0; a < solution.bodies.size(); ++a)
-        for (const Vector2 &vertex : solution.bodies[a].body->singular_vertices())
-          found.push_back({a, vertex, solution.bodies[a].body->cells_at(vertex), kept_by_splitting::vertex});
+      const auto vertices = executor.of_bodies(solution.bodies.size(), [&](const std::size_t a) {
+        return singular_vertices(*solution.bodies[a].body);
+      });
+      for (std::size_t a = 0; a < vertices.size(); ++a)
+        for (const SingularVertex &vertex : vertices[a])
+          found.push_back({a, vertex.place, vertex.cells, kept_by_splitting::vertex});
       for (const PairResult &pair : solution.pairs)
       {
         const auto add = [&](const double arc, const double kept) {
@@ -96,10 +115,11 @@ namespace abut
   } // namespace
 
   void grade_towards_singularities(const std::vector<GoalCells> &cells, const double aim,
-                                   const Solution &solution, std::vector<CellMarks> &marks)
+                                   const Solution &solution, const Executor &executor,
+                                   std::vector<CellMarks> &marks)
   {
     constexpr double share_of_aim = .1; // what a cell may keep of the squared error that is aimed at
-    const std::vector<Singularity> singularities = find_singularities(solution);
+    const std::vector<Singularity> singularities = find_singularities(solution, executor);
     if (singularities.empty())
       return;
     double total = 0.;

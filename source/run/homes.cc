@@ -39,6 +39,14 @@ namespace abut
     return predicted_factor_bytes(static_cast<double>(n_unknowns)) > free_bytes ? n_processes : 1;
   }
 
+  std::vector<BodyLoad> described_loads(const std::vector<BodyDescription> &bodies)
+  {
+    std::vector<BodyLoad> loads;
+    for (const BodyDescription &body : bodies)
+      loads.push_back({static_cast<double>(body.cells[0]) * body.cells[1] * body.degree * body.degree});
+    return loads;
+  }
+
   std::vector<BodyLoad> body_loads(const std::vector<std::unique_ptr<Body>> &bodies,
                                    const std::vector<bool> &stay, const Executor &executor)
   {

@@ -12,7 +12,7 @@ namespace abut
       items.emplace_back("MPI and p4est (serial run)");
     else if (std::none_of(setup.scene.bodies.begin(), setup.scene.bodies.end(),
                           [](const BodyDescription &body) { return body.shares_mesh; }))
-      items.emplace_back("p4est (every process has all meshes)");
+      items.emplace_back("p4est (no mesh is distributed)");
     if (setup.indicator == nullptr)
       items.emplace_back("error estimation (no estimator asked for)");
     if (!setup.scene.adapts())
@@ -22,7 +22,7 @@ namespace abut
       items.emplace_back("boundary elements (Adaptation/Estimator is not " +
                          estimators_with_boundary_elements() + ")");
     if (std::all_of(solution.bodies.begin(), solution.bodies.end(),
-                    [](const BodyResult &result) { return result.body->counters().mortars == 0; }))
+                    [](const BodyResult &result) { return result.counters.mortars == 0; }))
       items.emplace_back("mortar coupling inside bodies (hanging nodes)");
     if (setup.scene.contacts.empty())
       items.emplace_back("contact (a scene without pairs)");

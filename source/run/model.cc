@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/user_error.h>
 #include <abut/bodies/each_body.h>
+#include <abut/bodies/travelling_body.h>
 #include <abut/contact/pressure_profile.h>
 #include <abut/run/homes.h>
 #include <abut/run/model.h>
@@ -12,27 +13,12 @@ namespace abut
   namespace
   {
     using Index = Eigen::Index;
-
-    std::vector<std::string> contact_sides(const Scene &scene, const std::string &body)
-    {
-      std::vector<std::string> sides;
-      for (const ContactDescription &contact : scene.contacts)
-        for (const Side &side : {contact.slave, contact.master})
-          if (side.body == body && std::find(sides.begin(), sides.end(), side.boundary) == sides.end())
-            sides.push_back(side.boundary);
-      return sides;
-    }
   } // namespace
 
   Model::Model(const Scene &scene, const ExactSolution *const exact, Executor executor)
       : scene_(scene), executor_(std::move(executor)), is_prepared_(scene.bodies.size(), false)
   {
-    bodies_.resize(scene.bodies.size());
-    for_each_body([&](const std::size_t a) {
-      bodies_[a] =
-          make_body(with_exact_conditions(scene, a, exact), contact_sides(scene, scene.bodies[a].name),
-                    scene.bodies[a].shares_mesh ? executor_.processes() : nullptr);
-    });
+    make_bodies(exact);
     std::vector<PairInput> inputs;
     for (std::size_t i = 0; i < scene.contacts.size(); ++i)
       inputs.push_back(pair_input(i));
@@ -48,16 +34,53 @@ namespace abut
     make_problem();
   }
 
+  void Model::make_bodies(const ExactSolution *const exact)
+  {
+    const std::size_t n = scene_.bodies.size();
+    bodies_.resize(n);
+    travelling_.assign(n, nullptr);
+    for_each_body([&](const std::size_t a) {
+      const BodyDescription &body = scene_.bodies[a];
+      const bool travels = executor_.n_processes() > 1 && !body.is_rigid && !body.shares_mesh;
+      const BodyDescription description = with_exact_conditions(scene_, a, exact);
+      if (travels)
+        bodies_[a] = std::make_unique<TravellingBody>(description, sides_of(a));
+      else
+        bodies_[a] = make_body(description, sides_of(a), body.shares_mesh ? executor_.processes() : nullptr);
+      if (travels)
+        travelling_[a] = static_cast<TravellingBody *>(bodies_[a].get());
+    });
+    if (executor_.n_processes() == 1)
+      return;
+    executor_.assign(described_loads(scene_.bodies));
+    std::vector<BodyFacts> facts = executor_.of_bodies(
+        n, [&](const std::size_t a) { return travelling_[a] ? travelling_[a]->tell() : BodyFacts(); });
+    for (std::size_t a = 0; a < n; ++a)
+      if (travelling_[a])
+        travelling_[a]->learn(std::move(facts[a]));
+  }
+
   void Model::for_each_body(const std::function<void(std::size_t)> &f) const
   {
     abut::for_each_body(
         bodies_.size(), [&](const std::size_t a) { return scene_.bodies[a].shares_mesh; }, f);
   }
 
+  std::vector<std::string> Model::sides_of(const std::size_t body) const
+  {
+    std::vector<std::string> sides;
+    for (const ContactDescription &contact : scene_.contacts)
+      for (const Side &side : {contact.slave, contact.master})
+        if (side.body == scene_.bodies[body].name &&
+            std::find(sides.begin(), sides.end(), side.boundary) == sides.end())
+          sides.push_back(side.boundary);
+    return sides;
+  }
+
   ContactBody Model::contact_body(const Side &side) const
   {
     const std::size_t index = scene_.body_index(side.body);
-    const std::vector<std::string> sides = contact_sides(scene_, side.body);
+    const std::vector<std::string> sides = sides_of(index);
     const auto position =
         static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side.boundary) - sides.begin());
     const Body &body = *bodies_[index];
@@ -140,27 +163,71 @@ namespace abut
 
   namespace
   {
-    void adapt_again(Body &body, const CellMarks &marks)
+    void check_marks(const Body &body, const CellMarks &marks)
     {
       if (marks.refine.size() != body.counts().cells)
         throw UserError("Body " + body.name() + ": its mesh was made again with " +
                         std::to_string(body.counts().cells) + " cells where it had " +
                         std::to_string(marks.refine.size()) +
                         "; go on with the program and libraries that the run began with, or begin anew");
-      if (marks.any())
-        body.adapt(marks, {});
+    }
+
+    /// What comes of the adaptation of a body that travels; empty where nothing has changed.
+    struct AdaptedBody
+    {
+      std::vector<Eigen::VectorXd> fields;
+      std::optional<BodyFacts> facts;
+
+      void serialize(Archive &archive) { archive(fields, facts); }
+    };
+
+    AdaptedBody adapt_where_it_lives(TravellingBody &body, const CellMarks &marks,
+                                     const std::vector<Eigen::VectorXd> &fields)
+    {
+      AdaptedBody adapted;
+      adapted.fields = body.adapt(marks, fields);
+      if (body.whole().mesh_version() != body.mesh_version())
+        adapted.facts = body.tell();
+      return adapted;
     }
   } // namespace
+
+  void Model::adapt_bodies(const std::vector<CellMarks> &marks,
+                           std::vector<std::vector<Eigen::VectorXd>> &fields)
+  {
+    AssertDimension(marks.size(), bodies_.size());
+    for_each_body([&](const std::size_t a) {
+      if (travelling_[a] == nullptr && marks[a].any())
+        fields[a] = bodies_[a]->adapt(marks[a], fields[a]);
+    });
+    if (executor_.n_processes() == 1)
+      return;
+    std::vector<AdaptedBody> adapted = executor_.of_bodies(bodies_.size(), [&](const std::size_t a) {
+      return travelling_[a] != nullptr && marks[a].any()
+                 ? adapt_where_it_lives(*travelling_[a], marks[a], fields[a])
+                 : AdaptedBody();
+    });
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      if (adapted[a].facts)
+      {
+        fields[a] = std::move(adapted[a].fields);
+        travelling_[a]->learn(std::move(*adapted[a].facts), marks[a]);
+      }
+  }
 
   void Model::adapt_again(const std::vector<std::vector<CellMarks>> &adaptations,
                           const std::vector<BodyCounters> &counters)
   {
     AssertDimension(counters.size(), bodies_.size());
-    for_each_body([&](const std::size_t a) {
-      for (const std::vector<CellMarks> &marks : adaptations)
-        abut::adapt_again(*bodies_[a], marks[a]);
+    std::vector<std::vector<Eigen::VectorXd>> no_fields(bodies_.size());
+    for (const std::vector<CellMarks> &marks : adaptations)
+    {
+      for (std::size_t a = 0; a < bodies_.size(); ++a)
+        check_marks(*bodies_[a], marks[a]);
+      adapt_bodies(marks, no_fields);
+    }
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
       bodies_[a]->count_from(counters[a]);
-    });
     for (std::size_t k = 0; k < surfaces_.size(); ++k)
       surfaces_[k] = make_surface(groups_[k]);
     assign_bodies();
@@ -188,11 +255,12 @@ namespace abut
     std::vector<unsigned int> versions_before;
     for (const auto &body : bodies_)
       versions_before.push_back(body->mesh_version());
-    // What meshes become is the same in all processes.
-    for_each_body([&](const std::size_t a) {
-      if (marks[a].any())
-        adapted.state.displacements[a] = bodies_[a]->adapt(marks[a], {state.displacements[a]}).front();
-    });
+    std::vector<std::vector<Eigen::VectorXd>> fields;
+    for (const Eigen::VectorXd &displacement : state.displacements)
+      fields.push_back({displacement});
+    adapt_bodies(marks, fields);
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      adapted.state.displacements[a] = std::move(fields[a].front());
     for (std::size_t a = 0; a < bodies_.size(); ++a)
       if (bodies_[a]->mesh_version() != versions_before[a])
       {

@@ -117,9 +117,11 @@ namespace abut
   {
     Assert(setup.exact != nullptr, dealii::ExcMessage("there is nothing to compare with"));
     const Solution &solution = outcome.solution;
-    record.true_errors = true_errors(*setup.exact, setup.scene, solution.bodies, solution.pairs);
+    record.true_errors =
+        true_errors(*setup.exact, setup.scene, solution.bodies, solution.pairs, setup.model.executor());
     if (setup.indicator != nullptr)
-      record.quality = estimator_quality(*setup.exact, outcome.estimation, solution.bodies, solution.pairs);
+      record.quality = estimator_quality(*setup.exact, outcome.estimation, solution.bodies, solution.pairs,
+                                         setup.model.executor());
     record.effectivity_total = ratio(record.total, record.true_errors.energy);
   }
 } // namespace abut

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/checksum.h>
+#include <abut/base/processes.h>
 #include <abut/base/user_error.h>
 #include <abut/comparison/true_errors.h>
 #include <abut/run/adaptation_end.h>
@@ -15,6 +17,23 @@
 
 namespace abut
 {
+  namespace
+  {
+    void refuse_different_scenes(const Scene &scene, const Executor &executor)
+    {
+      if (executor.n_processes() == 1)
+        return;
+      constexpr std::uint64_t comparing_scenes = 17; // a meeting
+      const std::vector<std::string> checksums = executor.processes()->collect(
+          comparing_scenes, [&]() { return checksum(scene.parameters.data(), scene.parameters.size()); });
+      for (std::size_t rank = 1; rank < checksums.size(); ++rank)
+        if (checksums[rank] != checksums.front())
+          throw UserError("the processes 0 and " + std::to_string(rank) +
+                          " of this run have read different parameters; give all of them the same file and "
+                          "options");
+    }
+  } // namespace
+
   Simulation::Simulation(const Scene &scene, const Executor &executor)
       : completed_(with_found_contacts(scene)), scene_(completed_ ? *completed_ : scene)
   {
@@ -23,15 +42,18 @@ namespace abut
       exact_ = make_exact_solution(scene_);
     }
     const Stopwatch watch(construction_.mesh);
+    refuse_different_scenes(scene_, executor);
     model_ = std::make_unique<Model>(scene_, exact_.get(), executor);
     check_goal(scene_, *model_);
     check_output_points(scene_, *model_);
     indicator_ = make_indicator(scene_.adaptation);
     certifier_ = make_certifier(scene_.adaptation);
     if (indicator_)
-      for (const auto &body : bodies())
-        if (!body->description().is_rigid)
-          indicator_->check(*body);
+      model_->executor().of_bodies(bodies().size(), [&](const std::size_t a) {
+        if (!bodies()[a]->description().is_rigid)
+          indicator_->check(*bodies()[a]);
+        return 0;
+      });
   }
 
   void Simulation::check_supports() const
@@ -161,7 +183,7 @@ namespace abut
     if (results.adaptation_end)
       return;
     const Stopwatch watch(results.times.adapt);
-    std::vector<CellMarks> marks = mark_all(scene_, outcome.estimation, results);
+    std::vector<CellMarks> marks = mark_all(scene_, outcome.estimation, results, executor());
     Adapted adapted = model_->adapt(marks, outcome.state);
     if (adapted.some_mesh_changed || scene_.adaptation.combined)
     {

@@ -33,6 +33,18 @@ namespace abut
     place_nodes();
   }
 
+  void Trace::serialize(Archive &archive)
+  {
+    unsigned int degree = basis_.degree(), geometry_degree = geometry_.degree();
+    archive(degree, geometry_degree, segments_, node_dofs_, supports_);
+    if (!archive.unpacks())
+      return;
+    std::vector<Eigen::Matrix2d> supports = std::move(supports_);
+    *this = Trace(degree, geometry_degree, std::move(segments_), std::move(node_dofs_));
+    if (!supports.empty())
+      set_supports(std::move(supports));
+  }
+
   void Trace::check_segments() const
   {
     for ([[maybe_unused]] const Segment &segment : segments_)

@@ -91,13 +91,14 @@ namespace
     }
   }
 
-  TEST(OneMessage, OfProcessesThatComputeDifferentThings)
+  TEST(OneMessage, OfProcessesThatReadDifferentScenes)
   {
-    const Answer answer =
-        run_processes({{1, {scene, "--quiet"}}, {1, {project_file("prm/two-layers-paper.prm"), "--quiet"}}});
-    EXPECT_EQ(answer.status, 2);
-    EXPECT_EQ(lines(answer.err).size(), 1u) << answer.err;
-    EXPECT_NE(answer.err.find("come to different results"), std::string::npos) << answer.err;
+    const std::vector<std::string> other = with_override("Body upper/Young modulus=1.000001e5");
+    expect_refused(run_processes({{1, {scene, "--quiet"}}, {1, other}}),
+                   {scene, "the processes 0 and 1 of this run have read different parameters"});
+    expect_refused(
+        run_processes({{2, {scene, "--quiet"}}, {1, {project_file("prm/two-layers-paper.prm"), "--quiet"}}}),
+        {"the processes 0 and 2 of this run have read different parameters"});
   }
 
   TEST(OneMessage, OfAFolderThatIsTaken)

@@ -25,10 +25,8 @@ namespace abut
     std::vector<Stress> better_at_corners; ///< and at Body::visit_corner_stress's; fe-be
     BoundaryCost boundary;                 ///< of fe-be
 
-    void serialize(Archive &archive)
-    {
-      archive(stress, energy, areas, stress_norm, energy_norm, better, better_at_corners, boundary);
-    }
+    /// Without the better stress, which stays where the body lives.
+    void serialize(Archive &archive) { archive(stress, energy, areas, stress_norm, energy_norm, boundary); }
   };
 
   /// Estimates the error of a body's stress in each cell from the body's solution alone.

@@ -20,7 +20,13 @@ namespace abut
 
   /// Whether a type consists of numbers alone, so that many of them can be copied at once. Records that do
   /// say so where they are declared.
-  template <typename T> inline constexpr bool consists_of_numbers = std::is_arithmetic_v<T>;
+  template <typename T>
+  inline constexpr bool consists_of_numbers = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+  template <typename T, std::size_t n>
+  inline constexpr bool consists_of_numbers<std::array<T, n>> = consists_of_numbers<T>;
+  template <int rows, int columns>
+  inline constexpr bool consists_of_numbers<Eigen::Matrix<double, rows, columns>> =
+      rows != Eigen::Dynamic &&columns != Eigen::Dynamic;
 
   /**
    * Turns values into bytes, or takes them from there in the same order: for processes of one program on
@@ -38,24 +44,32 @@ namespace abut
     };
 
     /// The bytes must outlive the archive.
-    Archive(Bytes &bytes, const Direction direction) : bytes_(bytes), direction_(direction) {}
+    Archive(Bytes &bytes, const Direction direction)
+        : packed_(direction == Direction::pack ? &bytes : nullptr), next_(bytes.data()),
+          end_(bytes.data() + bytes.size())
+    {}
+    /// Unpacks bytes that are elsewhere.
+    Archive(const char *const begin, const std::size_t size) : next_(begin), end_(begin + size) {}
 
     template <typename... T> void operator()(T &...values) { (pass(values), ...); }
+
+    bool unpacks() const { return packed_ == nullptr; }
 
   private:
     /// Copies `size` bytes, one way or the other.
     void pass_bytes(void *const begin, const std::size_t size)
     {
-      if (direction_ == Direction::pack)
+      if (!unpacks())
       {
         const char *const first = static_cast<const char *>(begin);
-        bytes_.insert(bytes_.end(), first, first + size);
+        packed_->insert(packed_->end(), first, first + size);
         return;
       }
-      AssertThrow(size <= bytes_.size() - position_, dealii::ExcMessage("more is asked for than was packed"));
+      AssertThrow(size <= static_cast<std::size_t>(end_ - next_),
+                  dealii::ExcMessage("more is asked for than was packed"));
       if (size > 0)
-        std::memcpy(begin, bytes_.data() + position_, size);
-      position_ += size;
+        std::memcpy(begin, next_, size);
+      next_ += size;
     }
 
     template <typename T> void pass(T &value)
@@ -78,7 +92,7 @@ namespace abut
     {
       std::vector<char> bytes(values.begin(), values.end());
       pass(bytes);
-      if (direction_ == Direction::unpack)
+      if (unpacks())
         values.assign(bytes.begin(), bytes.end());
     }
     template <typename Container> void pass_each(Container &values)
@@ -117,13 +131,13 @@ namespace abut
     {
       std::vector<std::pair<std::string, T>> entries(values.begin(), values.end());
       pass(entries);
-      if (direction_ == Direction::unpack)
+      if (unpacks())
         values = {entries.begin(), entries.end()};
     }
 
-    Bytes &bytes_;
-    Direction direction_;
-    std::size_t position_ = 0; ///< of what is taken next
+    Bytes *packed_ = nullptr; ///< null: values are taken
+    const char *next_;        ///< what is taken next
+    const char *end_;
   };
 
   /// The bytes of values, which are not changed: only unpacking changes what a record lists.

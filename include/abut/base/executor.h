@@ -39,9 +39,9 @@ namespace abut
 
   /**
    * The processes of every body: those of `before` for bodies that stay where they are, then the dearest one
-   * first (its cost in each of its processes), each where there is the least to do. Where none stays and each
-   * has one process, at most 4/3 of the best longest sum of costs (Graham, Bounds on multiprocessing timing
-   * anomalies, SIAM J. Appl. Math. 17, 1969).
+   * first (its cost in each of its processes), each where there is the least to do, and where it was if there
+   * is no less elsewhere. Where none stays and each has one process, at most 4/3 of the best longest sum of
+   * costs (Graham, Bounds on multiprocessing timing anomalies, SIAM J. Appl. Math. 17, 1969).
    */
   std::vector<Ranks> least_loaded(const std::vector<BodyLoad> &bodies, std::vector<Ranks> before,
                                   unsigned int n_processes);

@@ -15,6 +15,24 @@ namespace abut
 {
   class Communicator;
 
+  /// What all processes have given each other.
+  class Gathered
+  {
+  public:
+    /// Room for so many bytes of each.
+    explicit Gathered(std::vector<std::size_t> sizes, std::size_t alignment = 1);
+
+    char *data() { return bytes_.get(); }
+    /// Where those of a process begin: at a multiple of the alignment.
+    std::size_t begin(const unsigned int rank) const { return begins_[rank]; }
+    /// Takes the values that a process has packed.
+    Archive of(const unsigned int rank) const { return {bytes_.get() + begins_[rank], sizes_[rank]}; }
+
+  private:
+    std::vector<std::size_t> sizes_, begins_;
+    std::unique_ptr<char[]> bytes_;
+  };
+
   /**
    * The processes of one run, or those that share a body: MPI, which nobody else uses but the libraries that
    * `communicator` is handed to. All of them do the same things in the same order, but for the turns of
@@ -42,11 +60,11 @@ namespace abut
     std::shared_ptr<Processes> group(const std::vector<unsigned int> &ranks) const;
 
     /**
-     * Everybody's bytes, by rank. `failure`: what has gone wrong here instead, or null. `meeting`: what the
+     * Everybody's bytes. `failure`: what has gone wrong here instead, or null. `meeting`: what the
      * bytes are, not 0; all processes must say the same. Throws the failure of the lowest rank that has one,
      * as a UserError, ComputationError, std::bad_alloc or std::runtime_error, in all processes.
      */
-    std::vector<Bytes> exchange(const Bytes &own, const std::exception_ptr &failure, std::uint64_t meeting);
+    Gathered exchange(Bytes own, const std::exception_ptr &failure, std::uint64_t meeting);
 
     /// Everybody's value of what f returns, by rank: f is this process's own work. See `exchange`.
     template <typename Function> auto collect(const std::uint64_t meeting, const Function &f)
@@ -64,9 +82,13 @@ namespace abut
       {
         failure = std::current_exception();
       }
-      std::vector<T> values;
-      for (Bytes &bytes : exchange(packed, failure, meeting))
-        Archive(bytes, Archive::Direction::unpack)(values.emplace_back());
+      const Gathered all = exchange(std::move(packed), failure, meeting);
+      std::vector<T> values(size_);
+      for (unsigned int rank = 0; rank < size_; ++rank)
+      {
+        Archive archive = all.of(rank);
+        archive(values[rank]);
+      }
       return values;
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
+
 #include <string>
 #include <vector>
 
@@ -57,5 +59,7 @@ namespace abut
   {
     WarningCode code;
     std::string text; ///< one sentence: what, with the numbers, and the way out
+
+    void serialize(Archive &archive) { archive(code, text); }
   };
 } // namespace abut

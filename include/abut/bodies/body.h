@@ -43,6 +43,8 @@ namespace abut
     std::vector<std::string> names; ///< that the scene may call it by; empty: it has none
     Trace curve;                    ///< its unknowns are those of the body's fields
     bool is_glued = false;          ///< to another side of the body
+
+    void serialize(Archive &archive) { archive(names, curve, is_glued); }
   };
 
   /// Seconds of `Body::prepare`.
@@ -114,7 +116,7 @@ namespace abut
     // Its answers, after `prepare`.
     /// The processes that share its stiffness from the next `prepare` on, which then ask it the same things
     /// in the same order; null: it is this process's alone.
-    void share(std::shared_ptr<Processes> processes) { processes_ = std::move(processes); }
+    virtual void share(std::shared_ptr<Processes> processes) { processes_ = std::move(processes); }
     /// Makes what the answers need for the present mesh. Throws ComputationError.
     virtual PreparationTimes prepare() = 0;
     /// Under loads, supports and contact forces (a trace vector).

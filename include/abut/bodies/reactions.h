@@ -32,6 +32,8 @@ namespace abut
     std::string boundary;
     Vector2 direction; ///< unit, world frame
     double force;      ///< the component of the support's force on the body along `direction`
+
+    void serialize(Archive &archive) { archive(boundary, direction, force); }
   };
 
   /// The largest part of the loads on a side that its supports take at once, and the largest load: force per
@@ -39,5 +41,7 @@ namespace abut
   struct LostLoad
   {
     double lost = 0., largest = 0.;
+
+    void serialize(Archive &archive) { archive(lost, largest); }
   };
 } // namespace abut

@@ -24,6 +24,8 @@ namespace abut
     /// Corners that turn by less than 60 degrees with another such corner next to them: a round side in too
     /// few edges looks like this.
     unsigned int n_blunt_corners = 0;
+
+    void serialize(Archive &archive) { archive(n_edges, largest_kink, height, followed, n_blunt_corners); }
   };
 
   /**

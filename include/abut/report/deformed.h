@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/executor.h>
 #include <abut/report/apart.h>
 #include <abut/report/exaggeration.h>
 
@@ -53,9 +54,10 @@ namespace abut
    * size; rigid motions times one by which what touches is drawn as touching (see `exaggeration_of`).
    *
    * Initial gaps are drawn at their size, and those given as an expression not at all: bodies in contact may
-   * stand apart, and those that would overlap are drawn elsewhere (see `shifts_apart`).
+   * stand apart, and those that would overlap are drawn elsewhere (see `shifts_apart`). Bodies are drawn
+   * where they live: all processes have to call it.
    */
-  DrawnScene deformed_scene(const Results &results);
+  DrawnScene deformed_scene(const Results &results, const Executor &executor = {});
 
   /// Which factors apply to what, for people.
   std::string deformation_caption(const DrawnScene &scene);

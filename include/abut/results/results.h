@@ -28,6 +28,15 @@
 
 namespace abut
 {
+  /// What a summary says of the cells of a body.
+  struct CellsSummary
+  {
+    unsigned int min_level = 0, max_level = 0; ///< how often they were split
+    std::size_t n_at_glue = 0;                 ///< that have a glued edge
+
+    void serialize(Archive &archive) { archive(min_level, max_level, n_at_glue); }
+  };
+
   struct BodyResult
   {
     const Body *body = nullptr;
@@ -39,6 +48,7 @@ namespace abut
     BodyPeaks peaks;
     double condition = std::numeric_limits<double>::quiet_NaN(); ///< see Body::condition; where asked for
     BodyCounters counters;
+    CellsSummary cells;
     unsigned int n_processes = 1;   ///< in which it lives
     double rigid_displacement = 0.; ///< of the side that carries a given resultant
     Reactions reactions;

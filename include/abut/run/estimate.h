@@ -40,7 +40,8 @@ namespace abut
   /**
    * The cells to be changed after the last pass, body by body: those that the marking of the scene chooses in
    * bodies that adapt, and the cells on both sides of contact that is smaller than a cell
-   * (`PairResult::missed`).
+   * (`PairResult::missed`). All processes have to call it.
    */
-  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation, const Results &results);
+  std::vector<CellMarks> mark_all(const Scene &scene, const Estimation &estimation, const Results &results,
+                                  const Executor &executor);
 } // namespace abut

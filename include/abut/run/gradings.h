@@ -2,6 +2,7 @@
 #pragma once
 
 #include <abut/adaptation/goal_marks.h>
+#include <abut/base/executor.h>
 #include <abut/results/results.h>
 
 namespace abut
@@ -13,8 +14,8 @@ namespace abut
    * towards the place, until what is expected to stay is what the other cells keep, or a tenth of the square
    * of the error that is aimed at: as many levels at once as meshes would have taken one by one.
    *
-   * `cells`, `aim`: as goal_marks has them. Adds to the marks.
+   * `cells`, `aim`: as goal_marks has them. Adds to the marks. All processes have to call it.
    */
   void grade_towards_singularities(const std::vector<GoalCells> &cells, double aim, const Solution &solution,
-                                   std::vector<CellMarks> &marks);
+                                   const Executor &executor, std::vector<CellMarks> &marks);
 } // namespace abut

@@ -15,6 +15,9 @@ namespace abut
   unsigned int n_homes(const BodyDescription &body, std::size_t n_unknowns, unsigned int n_processes,
                        double free_bytes);
 
+  /// What decides where bodies are made, as far as their descriptions tell what they cost.
+  std::vector<BodyLoad> described_loads(const std::vector<BodyDescription> &bodies);
+
   /// What decides where the bodies live: their costs, the unknowns to the power 1.25, as the seconds for a
   /// factor grow from 10 thousand to a million of them, and `n_homes`. `stay`: bodies that are left where
   /// they are. All processes have to call it.

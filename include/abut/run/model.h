@@ -3,7 +3,7 @@
 
 #include <abut/base/archive.h>
 #include <abut/base/counts.h>
-#include <abut/bodies/body.h>
+#include <abut/bodies/travelling_body.h>
 #include <abut/comparison/exact_solution.h>
 #include <abut/decomposition/interface_problem.h>
 
@@ -69,6 +69,13 @@ namespace abut
                      const std::vector<BodyCounters> &counters);
 
   private:
+    /// Those that travel where they begin to live; the others get to know them.
+    void make_bodies(const ExactSolution *exact);
+    /// Changes meshes, of bodies that travel where they live and of the others in all processes, and carries
+    /// the fields of each over; those of a mesh that stays do not change.
+    void adapt_bodies(const std::vector<CellMarks> &marks, std::vector<std::vector<Eigen::VectorXd>> &fields);
+    /// The names of a body's contact sides, in the order of its trace vector.
+    std::vector<std::string> sides_of(std::size_t body) const;
     /// See abut::for_each_body.
     void for_each_body(const std::function<void(std::size_t)> &f) const;
     ContactBody contact_body(const Side &side) const;
@@ -82,6 +89,7 @@ namespace abut
     const Scene &scene_;
     Executor executor_;
     std::vector<std::unique_ptr<Body>> bodies_;
+    std::vector<TravellingBody *> travelling_;     ///< null: one that is the same in all processes
     std::vector<std::vector<std::size_t>> groups_; ///< of pairs, a surface each
     std::vector<std::size_t> surface_of_;
     std::vector<ContactSurface> surfaces_;

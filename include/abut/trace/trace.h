@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <abut/base/archive.h>
 #include <abut/base/lagrange_basis.h>
 #include <abut/base/vector2.h>
 
@@ -30,6 +31,9 @@ namespace abut
     double arc_start = 0.;           ///< arc length of s = 0 from the start of the curve
     double length = 0.;
     std::array<Vector2, 2> end_normals; ///< averaged outward unit normals at s = 0 and s = 1
+
+    /// What a trace does not compute itself.
+    void serialize(Archive &archive) { archive(points, cell, nodes); }
   };
 
   /**
@@ -44,6 +48,8 @@ namespace abut
   class Trace
   {
   public:
+    /// Without any segments: what another one is unpacked into.
+    Trace() : Trace(1, 1, {}, {}) {}
     /**
      * The segments must be in order (each begins where the one before ends, except at the start of a new
      * curve); their lengths, arc positions and normals are computed here. `node_dofs` are the body's unknowns
@@ -51,6 +57,9 @@ namespace abut
      */
     Trace(unsigned int degree, unsigned int geometry_degree, std::vector<Segment> segments,
           std::vector<std::array<unsigned int, 2>> node_dofs);
+
+    /// Unpacked, it is the same to the last digit.
+    void serialize(Archive &archive);
 
     const std::vector<Segment> &segments() const { return segments_; }
     const LagrangeBasis &basis() const { return basis_; }

@@ -9,6 +9,7 @@
 #include <abut/bodies/finite_elements/locking.h>
 #include <abut/bodies/finite_elements/projected_divergence.h>
 #include <abut/bodies/finite_elements/side_conditions.h>
+#include <abut/bodies/travelling_body.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -187,6 +188,8 @@ namespace abut
   {
     if (const auto *const found = dynamic_cast<const FiniteElementBody *>(&body))
       return *found;
+    if (const auto *const distant = dynamic_cast<const TravellingBody *>(&body))
+      return as_finite_elements(distant->whole(), what);
     throw UserError("Body " + body.name() + ": " + what + " is for bodies of finite elements");
   }
 } // namespace abut

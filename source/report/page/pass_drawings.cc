@@ -18,19 +18,19 @@ namespace abut
     }
   } // namespace
 
-  void PassDrawings::add(const Results &results)
+  void PassDrawings::add(const Results &results, const Executor &executor)
   {
     if (results.passes.back().pass % stride_ != 0)
       return;
-    draw(results);
+    draw(results, executor);
     while (too_many())
       keep_every_second();
   }
 
-  void PassDrawings::add_last(const Results &results)
+  void PassDrawings::add_last(const Results &results, const Executor &executor)
   {
     if (last(results) == nullptr)
-      draw(results);
+      draw(results, executor);
   }
 
   const DrawnScene *PassDrawings::last(const Results &results) const
@@ -39,13 +39,13 @@ namespace abut
     return is_drawn ? &drawings_.back().scene : nullptr;
   }
 
-  void PassDrawings::draw(const Results &results)
+  void PassDrawings::draw(const Results &results, const Executor &executor)
   {
     std::size_t cells = 0;
     for (const BodyResult &body : results.bodies)
       cells += body.body->counts().cells;
     if (cells <= most_drawn_cells)
-      drawings_.push_back({results.passes.back().pass, deformed_scene(results)});
+      drawings_.push_back({results.passes.back().pass, deformed_scene(results, executor)});
   }
 
   bool PassDrawings::too_many() const

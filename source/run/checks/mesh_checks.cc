@@ -23,14 +23,15 @@ namespace abut
     /// Below it a body is at rest, its error is round-off.
     constexpr double smallest_strain = 1e-12;
 
-    double estimated_error(const Solution &solution)
+    double estimated_error(const Executor &executor, const Solution &solution)
     {
       Estimation estimation;
-      for (const BodyResult &body : solution.bodies)
-        estimation.errors.push_back(
-            body.body->description().is_rigid
-                ? CellErrors()
-                : KellyIndicator().estimate({*body.body, body.deformation, body.contact_forces}));
+      estimation.errors = executor.of_bodies(solution.bodies.size(), [&](const std::size_t a) {
+        const BodyResult &body = solution.bodies[a];
+        return body.body->description().is_rigid
+                   ? CellErrors()
+                   : KellyIndicator().estimate({*body.body, body.deformation, body.contact_forces});
+      });
       return estimation.discretisation();
     }
 
@@ -43,7 +44,7 @@ namespace abut
     }
   } // namespace
 
-  Warnings coarse_mesh_warnings(const Results &results)
+  Warnings coarse_mesh_warnings(const Executor &executor, const Results &results)
   {
     std::size_t n_cells = 0;
     double strain = 0.;
@@ -54,7 +55,7 @@ namespace abut
     }
     if (results.passes.back().discretisation || n_cells > most_cells_looked_at || !(strain > smallest_strain))
       return {};
-    const double error = estimated_error(results);
+    const double error = estimated_error(executor, results);
     if (!(error > largest_error))
       return {};
     std::ostringstream text;

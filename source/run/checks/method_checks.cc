@@ -149,11 +149,11 @@ namespace abut
                         const std::vector<std::string> &dropped_loads)
   {
     Warnings warnings = input_warnings(scene, model);
-    append(warnings, result_warnings(results));
+    append(warnings, result_warnings(model.executor(), results));
     append(warnings, output_point_warnings(results.points));
     append(warnings, goal_warnings(scene, model));
     append(warnings, displaced_overlap_warnings(scene, model, results));
-    append(warnings, coarse_mesh_warnings(results));
+    append(warnings, coarse_mesh_warnings(model.executor(), results));
     append(warnings, gap_warnings(scene, results));
     append(warnings, penalty_warnings(scene, results));
     if (const std::string sentence = rough_part(results.passes); !sentence.empty())

@@ -194,11 +194,12 @@ namespace abut
     return {{WarningCode::nothing_touches, text.str()}};
   }
 
-  Warnings result_warnings(const Solution &solution)
+  Warnings result_warnings(const Executor &executor, const Solution &solution)
   {
     Warnings warnings = touch_warnings(solution.pairs);
-    for (const BodyResult &body : solution.bodies)
-      append(warnings, body_warnings(body));
+    for (const Warnings &of_body : executor.of_bodies(
+             solution.bodies.size(), [&](const std::size_t a) { return body_warnings(solution.bodies[a]); }))
+      append(warnings, of_body);
     std::vector<const ContactSurface *> seen;
     for (const PairResult &pair : solution.pairs)
     {

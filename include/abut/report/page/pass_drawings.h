@@ -21,10 +21,10 @@ namespace abut
   class PassDrawings
   {
   public:
-    /// After each pass, with the results so far.
-    void add(const Results &results);
-    /// After the run: the last pass, if it has not been kept.
-    void add_last(const Results &results);
+    /// After each pass, with the results so far. All processes have to call it (see deformed_scene).
+    void add(const Results &results, const Executor &executor = {});
+    /// After the run: the last pass, if it has not been kept. Likewise.
+    void add_last(const Results &results, const Executor &executor = {});
 
     const std::vector<PassDrawing> &drawings() const { return drawings_; }
     /// The last pass; null where its mesh has too many cells.
@@ -33,7 +33,7 @@ namespace abut
     void serialize(Archive &archive) { archive(drawings_, stride_); }
 
   private:
-    void draw(const Results &results);
+    void draw(const Results &results, const Executor &executor);
     bool too_many() const;
     void keep_every_second();
 

@@ -51,11 +51,12 @@ namespace abut
   /// The same once displaced, of bodies that do not overlap before.
   Warnings displaced_overlap_warnings(const Scene &scene, const Model &model, const Solution &solution);
 
-  /// Of a run that estimates nothing: whether its mesh is far too coarse.
-  Warnings coarse_mesh_warnings(const Results &results);
+  /// Of a run that estimates nothing: whether its mesh is far too coarse. All processes have to call it.
+  Warnings coarse_mesh_warnings(const Executor &executor, const Results &results);
 
-  /// What `solution` says by itself: bodies, pairs and their pressures.
-  Warnings result_warnings(const Solution &solution);
+  /// What `solution` says by itself: bodies, each where it lives, pairs and their pressures. All processes
+  /// have to call it, as `all_warnings`.
+  Warnings result_warnings(const Executor &executor, const Solution &solution);
 
   /// Of points that the scene names: the exact stress is infinite there.
   Warnings output_point_warnings(const std::vector<PointResult> &points);
