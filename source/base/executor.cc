@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <utility>
 
 // Exported by OpenBLAS alone: with another BLAS the address is null.
@@ -54,6 +55,11 @@ namespace abut
     });
     if (failure)
       std::rethrow_exception(failure);
+  }
+
+  void by_itself(const std::function<void()> &f)
+  {
+    tbb::this_task_arena::isolate(f);
   }
 
   namespace
@@ -124,6 +130,11 @@ namespace abut
     for (std::size_t a = 0; a < bodies.size(); ++a)
       if (!bodies[a].stays)
         groups_[a] = homes_[a].size() > 1 ? processes_->group(homes_[a]) : nullptr;
+  }
+
+  bool Executor::is_home(const std::size_t body) const
+  {
+    return !processes_ || std::binary_search(homes_[body].begin(), homes_[body].end(), rank_);
   }
 
   unsigned int Executor::n_busy(const std::vector<std::size_t> &bodies) const

@@ -4,6 +4,7 @@
 #include <abut/base/user_error.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 #include <numeric>
@@ -209,7 +210,14 @@ namespace abut
       std::rethrow_exception(error);
     }
 
-    return gather(std::move(own), all, communicator_->handle());
+    try
+    {
+      return gather(std::move(own), all, communicator_->handle());
+    }
+    catch (...) // the others wait in there
+    {
+      end_all(std::current_exception());
+    }
   }
 
   void Processes::together(const std::uint64_t meeting, const std::function<void()> &f)
@@ -225,12 +233,18 @@ namespace abut
     }
     catch (...)
     {
-      std::string text;
-      kind_of(std::current_exception(), text);
-      std::cerr << "abut: process " + std::to_string(rank_) + " of the " + std::to_string(size_) +
-                       " that share a body could not go on: " + text + '\n';
-      MPI_Abort(communicator_->handle(), 2);
+      end_all(std::current_exception());
     }
+  }
+
+  void Processes::end_all(const std::exception_ptr &failure) const
+  {
+    std::string text;
+    kind_of(failure, text);
+    std::cerr << "abut: process " + std::to_string(rank_) + " of " + std::to_string(size_) +
+                     " could not go on: " + text + '\n';
+    MPI_Abort(communicator_->handle(), 2);
+    std::abort();
   }
 
   void Processes::run(const std::function<void()> &f)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/executor.h>
 #include <abut/base/user_error.h>
 #include <abut/bodies/output_patches.h>
 #include <abut/bodies/travelling_body.h>
@@ -10,20 +11,26 @@ namespace abut
 {
   namespace
   {
+    /// Sides tell where meshes differ whose numbers are the same.
     void refuse_another_mesh(const Body &body, const BodyFacts &facts)
     {
       const Counts counts = body.counts();
-      if (counts.cells == facts.counts.cells && counts.dofs == facts.counts.dofs)
+      if (counts.cells == facts.counts.cells && counts.dofs == facts.counts.dofs &&
+          packed(body.boundary()) == packed(facts.boundary))
         return;
-      throw ComputationError("Body " + body.name() + ": its mesh has " + std::to_string(counts.cells) +
-                             " cells in one process and " + std::to_string(facts.counts.cells) +
-                             " in another; give all processes the same files and libraries");
+      throw ComputationError("Body " + body.name() + ": its mesh, of " + std::to_string(counts.cells) +
+                             " cells, is not that of another process, of " +
+                             std::to_string(facts.counts.cells) +
+                             "; give all processes the same files and libraries");
     }
   } // namespace
 
   TravellingBody::TravellingBody(const BodyDescription &description, std::vector<std::string> contact_sides)
       : Body(description), contact_side_names_(std::move(contact_sides))
-  {}
+  {
+    if (description.reads_files())
+      whole();
+  }
 
   bool TravellingBody::is_whole() const
   {
@@ -36,9 +43,12 @@ namespace abut
     const std::lock_guard<std::mutex> lock(mutex_);
     if (whole_)
       return *whole_;
-    std::unique_ptr<Body> body = make_body(description(), contact_side_names_);
-    for (const CellMarks &marks : adaptations_)
-      body->adapt(marks, {});
+    std::unique_ptr<Body> body;
+    by_itself([&]() {
+      body = make_body(description(), contact_side_names_);
+      for (const CellMarks &marks : adaptations_)
+        body->adapt(marks, {});
+    });
     if (facts_)
     {
       refuse_another_mesh(*body, *facts_);
@@ -49,16 +59,27 @@ namespace abut
     return *whole_;
   }
 
+  void TravellingBody::learn(BodyFacts facts)
+  {
+    facts_ = std::move(facts);
+    if (!is_whole())
+      return;
+    refuse_another_mesh(*whole_, *facts_);
+    whole_->count_from(facts_->counters);
+  }
+
   void TravellingBody::learn(BodyFacts facts, const CellMarks &marks)
   {
     adaptations_.push_back(marks);
     if (is_whole() && whole_->mesh_version() != facts.mesh_version)
       whole_->adapt(marks, {});
     learn(std::move(facts));
-    if (!is_whole())
-      return;
-    AssertDimension(whole_->mesh_version(), mesh_version());
-    whole_->count_from(facts_->counters);
+  }
+
+  void TravellingBody::leave()
+  {
+    if (!description().reads_files())
+      whole_.reset();
   }
 
   std::vector<Eigen::VectorXd> TravellingBody::adapt(const CellMarks &marks,

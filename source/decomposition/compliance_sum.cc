@@ -24,6 +24,8 @@ namespace abut
       std::vector<ActivePart> parts;
       for (const ComplianceBlock &block : blocks)
       {
+        Assert(std::is_sorted(block.columns.begin(), block.columns.end()),
+               dealii::ExcMessage("multipliers of a block are in increasing order"));
         ActivePart part{&block.matrix, {}, {}};
         auto next = active.begin();
         for (std::size_t k = 0; k < block.columns.size(); ++k)

@@ -13,7 +13,7 @@ namespace abut
   namespace
   {
     /// To be raised whenever what a record lists changes (tests/unit/report_checkpoint.cc notices).
-    constexpr auto checkpoint_format = "2";
+    constexpr auto checkpoint_format = "3";
 
     const std::string checkpoint_name = "abut checkpoint";
 

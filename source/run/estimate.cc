@@ -267,14 +267,18 @@ namespace abut
     for (const PairResult &pair : results.pairs)
       mark_missed(scene, pair, bodies, marks);
     if (for_tolerance)
-      mark_goal(scene, results, marks);
+      mark_goal(scene, results, executor, marks);
+    const auto crowded = executor.of_bodies(bodies.size(), [&](const std::size_t a) {
+      return scene.bodies[a].adapt && scene.bodies[a].joints.mortar.neighbour_rule
+                 ? bodies[a].body->crowded_cells()
+                 : std::vector<unsigned int>();
+    });
     for (std::size_t a = 0; a < bodies.size(); ++a)
-      if (scene.bodies[a].adapt && scene.bodies[a].joints.mortar.neighbour_rule)
-        for (const unsigned int cell : bodies[a].body->crowded_cells())
-        {
-          marks[a].refine[cell] = true;
-          marks[a].coarsen[cell] = false;
-        }
+      for (const unsigned int cell : crowded[a])
+      {
+        marks[a].refine[cell] = true;
+        marks[a].coarsen[cell] = false;
+      }
     return marks;
   }
 } // namespace abut

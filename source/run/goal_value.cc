@@ -27,15 +27,17 @@ namespace abut
           });
     }
 
-    double stress_at(const Vector2 &point, const std::vector<BodyResult> &bodies)
+    double stress_at(const Vector2 &point, const std::vector<BodyResult> &bodies, const Executor &executor)
     {
-      for (const BodyResult &result : bodies)
-        if (const auto stress = result.body->stress_at(result.deformation, point))
+      for (const auto &stress : executor.of_bodies(bodies.size(), [&](const std::size_t a) {
+             return bodies[a].body->stress_at(bodies[a].deformation, point);
+           }))
+        if (stress)
           return stress->von_mises();
       throw ComputationError("Goal: the point of the stress is in no body any more");
     }
 
-    double value_of(const Goal &goal, const Solution &solution)
+    double value_of(const Goal &goal, const Solution &solution, const Executor &executor)
     {
       double force = 0.;
       switch (goal.kind)
@@ -47,7 +49,7 @@ namespace abut
       case Goal::Kind::peak_pressure:
         return pair_with_peak(solution.pairs).max_pressure;
       case Goal::Kind::stress:
-        return stress_at(goal.point, solution.bodies);
+        return stress_at(goal.point, solution.bodies, executor);
       case Goal::Kind::energy:
         break;
       }
@@ -102,9 +104,12 @@ namespace abut
       return;
     }
     std::vector<std::string> with_it;
-    for (const auto &body : model.bodies())
-      if (!body->cells_at(scene.goal.point).empty())
-        with_it.push_back(body->name());
+    const auto cells = model.executor().of_bodies(model.bodies().size(), [&](const std::size_t a) {
+      return model.bodies()[a]->cells_at(scene.goal.point);
+    });
+    for (std::size_t a = 0; a < cells.size(); ++a)
+      if (!cells[a].empty())
+        with_it.push_back(model.bodies()[a]->name());
     if (with_it.empty())
       throw UserError("Goal: received `" + scene.goal.text() + "`, but no elastic body has this point");
     if (with_it.size() > 1)
@@ -118,7 +123,7 @@ namespace abut
   {
     const Goal &goal = setup.scene.goal;
     GoalRecord record;
-    record.value = value_of(goal, solution);
+    record.value = value_of(goal, solution, setup.model.executor());
     record.discretisation = by_changes(record.value, before);
     if (penalty && goal.kind == Goal::Kind::force)
       record.penalty = by_value(penalty->force, record.value);
@@ -127,16 +132,22 @@ namespace abut
     return record;
   }
 
-  void mark_goal(const Scene &scene, const Solution &solution, std::vector<CellMarks> &marks)
+  void mark_goal(const Scene &scene, const Solution &solution, const Executor &executor,
+                 std::vector<CellMarks> &marks)
   {
     const auto mark = [&](const std::size_t body, const unsigned int cell) {
       if (scene.bodies[body].adapt)
         marks[body].refine[cell] = true;
     };
     if (scene.goal.kind == Goal::Kind::stress)
-      for (std::size_t a = 0; a < solution.bodies.size(); ++a)
-        for (const unsigned int cell : solution.bodies[a].body->cells_at(scene.goal.point))
+    {
+      const auto cells = executor.of_bodies(solution.bodies.size(), [&](const std::size_t a) {
+        return solution.bodies[a].body->cells_at(scene.goal.point);
+      });
+      for (std::size_t a = 0; a < cells.size(); ++a)
+        for (const unsigned int cell : cells[a])
           mark(a, cell);
+    }
     if (scene.goal.kind != Goal::Kind::peak_pressure)
       return;
     const PairResult &pair = pair_with_peak(solution.pairs);

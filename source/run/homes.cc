@@ -17,6 +17,11 @@ namespace abut
     {
       return 7. * sizeof(double) * n_unknowns * std::log2(n_unknowns + 2.);
     }
+    double cost_of(const double n_unknowns)
+    {
+      constexpr double growth = 1.25;
+      return std::pow(n_unknowns, growth);
+    }
   } // namespace
 
   unsigned int n_homes(const BodyDescription &body, const std::size_t n_unknowns,
@@ -43,7 +48,7 @@ namespace abut
   {
     std::vector<BodyLoad> loads;
     for (const BodyDescription &body : bodies)
-      loads.push_back({static_cast<double>(body.cells[0]) * body.cells[1] * body.degree * body.degree});
+      loads.push_back({cost_of(2. * body.cells[0] * body.cells[1] * body.degree * body.degree)});
     return loads;
   }
 
@@ -51,7 +56,6 @@ namespace abut
                                    const std::vector<bool> &stay, const Executor &executor)
   {
     AssertDimension(bodies.size(), stay.size());
-    constexpr double growth = 1.25;
     const double free_bytes =
         executor.processes() ? free_memory(*executor.processes()) : std::numeric_limits<double>::infinity();
     std::vector<BodyLoad> loads;
@@ -61,7 +65,7 @@ namespace abut
       const unsigned int n =
           stay[a] ? executor.n_processes_of(a)
                   : n_homes(bodies[a]->description(), n_unknowns, executor.n_processes(), free_bytes);
-      loads.push_back({std::pow(static_cast<double>(n_unknowns), growth), stay[a], n});
+      loads.push_back({cost_of(static_cast<double>(n_unknowns)), stay[a], n});
     }
     return loads;
   }

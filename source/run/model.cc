@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <abut/base/executor.h>
 #include <abut/base/user_error.h>
-#include <abut/bodies/each_body.h>
 #include <abut/bodies/travelling_body.h>
 #include <abut/contact/pressure_profile.h>
 #include <abut/run/homes.h>
@@ -41,29 +41,36 @@ namespace abut
     travelling_.assign(n, nullptr);
     for_each_body([&](const std::size_t a) {
       const BodyDescription &body = scene_.bodies[a];
-      const bool travels = executor_.n_processes() > 1 && !body.is_rigid && !body.shares_mesh;
       const BodyDescription description = with_exact_conditions(scene_, a, exact);
-      if (travels)
-        bodies_[a] = std::make_unique<TravellingBody>(description, sides_of(a));
+      if (executor_.n_processes() > 1 && !body.is_rigid && !body.shares_mesh)
+      {
+        auto travelling = std::make_unique<TravellingBody>(description, sides_of(a));
+        travelling_[a] = travelling.get();
+        bodies_[a] = std::move(travelling);
+      }
       else
         bodies_[a] = make_body(description, sides_of(a), body.shares_mesh ? executor_.processes() : nullptr);
-      if (travels)
-        travelling_[a] = static_cast<TravellingBody *>(bodies_[a].get());
     });
     if (executor_.n_processes() == 1)
       return;
     executor_.assign(described_loads(scene_.bodies));
     std::vector<BodyFacts> facts = executor_.of_bodies(
         n, [&](const std::size_t a) { return travelling_[a] ? travelling_[a]->tell() : BodyFacts(); });
-    for (std::size_t a = 0; a < n; ++a)
+    for_each(n, [&](const std::size_t a) {
       if (travelling_[a])
         travelling_[a]->learn(std::move(facts[a]));
+    });
   }
 
   void Model::for_each_body(const std::function<void(std::size_t)> &f) const
   {
-    abut::for_each_body(
-        bodies_.size(), [&](const std::size_t a) { return scene_.bodies[a].shares_mesh; }, f);
+    std::vector<std::size_t> others;
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      if (scene_.bodies[a].shares_mesh)
+        f(a);
+      else
+        others.push_back(a);
+    for_each(others.size(), [&](const std::size_t i) { f(others[i]); });
   }
 
   std::vector<std::string> Model::sides_of(const std::size_t body) const
@@ -105,10 +112,17 @@ namespace abut
 
   void Model::assign_bodies()
   {
+    std::vector<bool> was_home;
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      was_home.push_back(executor_.n_processes() > 1 && executor_.is_home(a));
     executor_.assign(body_loads(bodies_, is_prepared_, executor_));
     for (std::size_t a = 0; a < bodies_.size(); ++a)
+    {
+      if (travelling_[a] != nullptr && was_home[a] && !executor_.is_home(a))
+        travelling_[a]->leave();
       if (!is_prepared_[a])
         bodies_[a]->share(executor_.sharing(a));
+    }
   }
 
   void Model::make_problem()
@@ -186,8 +200,9 @@ namespace abut
     {
       AdaptedBody adapted;
       adapted.fields = body.adapt(marks, fields);
-      if (body.whole().mesh_version() != body.mesh_version())
-        adapted.facts = body.tell();
+      if (body.whole().mesh_version() == body.mesh_version())
+        return {};
+      adapted.facts = body.tell();
       return adapted;
     }
   } // namespace
@@ -207,12 +222,12 @@ namespace abut
                  ? adapt_where_it_lives(*travelling_[a], marks[a], fields[a])
                  : AdaptedBody();
     });
-    for (std::size_t a = 0; a < bodies_.size(); ++a)
-      if (adapted[a].facts)
-      {
-        fields[a] = std::move(adapted[a].fields);
-        travelling_[a]->learn(std::move(*adapted[a].facts), marks[a]);
-      }
+    for_each(bodies_.size(), [&](const std::size_t a) {
+      if (!adapted[a].facts)
+        return;
+      fields[a] = std::move(adapted[a].fields);
+      travelling_[a]->learn(std::move(*adapted[a].facts), marks[a]);
+    });
   }
 
   void Model::adapt_again(const std::vector<std::vector<CellMarks>> &adaptations,

@@ -24,25 +24,30 @@ namespace abut
       if (executor.n_processes() == 1)
         return;
       constexpr std::uint64_t comparing_scenes = 17; // a meeting
-      const std::vector<std::string> checksums = executor.processes()->collect(
-          comparing_scenes, [&]() { return checksum(scene.parameters.data(), scene.parameters.size()); });
+      const auto checksums = executor.processes()->collect(comparing_scenes, [&]() {
+        std::vector<std::string> own = {checksum(scene.parameters.data(), scene.parameters.size())};
+        for (const std::string &file : scene.mesh_files())
+          own.push_back(file_checksum(file));
+        return own;
+      });
       for (std::size_t rank = 1; rank < checksums.size(); ++rank)
         if (checksums[rank] != checksums.front())
-          throw UserError("the processes 0 and " + std::to_string(rank) +
-                          " of this run have read different parameters; give all of them the same file and "
-                          "options");
+          throw UserError(
+              "the processes 0 and " + std::to_string(rank) + " of this run have read different " +
+              (checksums[rank].front() != checksums.front().front() ? "parameters" : "mesh files") +
+              "; give all of them the same files and options");
     }
   } // namespace
 
   Simulation::Simulation(const Scene &scene, const Executor &executor)
       : completed_(with_found_contacts(scene)), scene_(completed_ ? *completed_ : scene)
   {
+    refuse_different_scenes(scene_, executor);
     {
       const Stopwatch watch(construction_.reference);
       exact_ = make_exact_solution(scene_);
     }
     const Stopwatch watch(construction_.mesh);
-    refuse_different_scenes(scene_, executor);
     model_ = std::make_unique<Model>(scene_, exact_.get(), executor);
     check_goal(scene_, *model_);
     check_output_points(scene_, *model_);
@@ -125,7 +130,7 @@ namespace abut
       const Stopwatch watch(results.times.reference);
       add_exact_pressures(*exact_, scene_, results.pairs);
     }
-    results.points = point_values(scene_, results.bodies);
+    results.points = point_values(scene_, results.bodies, executor());
     results.limit_distance = pass->limit_distance(results);
     add_final_values(executor(), scene_.tells_condition, results.bodies);
     results.warnings = all_warnings(scene_, *model_, results, pass->dropped_loads());

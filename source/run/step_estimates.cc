@@ -24,26 +24,39 @@ namespace abut
     return results;
   }
 
+  StepEstimates::Norms StepEstimates::squares(const BodyResult &body, const OwnStress &stress,
+                                              std::vector<Stress> &exact_stresses)
+  {
+    Norms squares;
+    const std::vector<StressSample> samples = stress_samples(body, SamplePoints::comparison);
+    if (exact_stresses.empty())
+      exact_stresses = at_samples(stress, samples);
+    const Material material = body.body->material();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      const Stress &exact = exact_stresses[i];
+      squares.error += samples[i].weight * material.energy_density(samples[i].computed - exact);
+      squares.exact += samples[i].weight * material.energy_density(exact);
+    }
+    return squares;
+  }
+
   std::optional<StepEstimates::Norms> StepEstimates::true_error(const std::vector<BodyResult> &bodies)
   {
-    Norms squares{0., 0.};
+    std::vector<OwnStress> stresses;
     for (std::size_t a = 0; a < bodies.size(); ++a)
-    {
-      const OwnStress stress = setup_.exact == nullptr ? OwnStress() : setup_.exact->stress(a);
-      if (!stress)
+      if (setup_.exact == nullptr || !stresses.emplace_back(setup_.exact->stress(a)))
         return {};
-      const std::vector<StressSample> samples = stress_samples(bodies[a], SamplePoints::comparison);
-      if (exact_stresses_.size() == a)
-        exact_stresses_.push_back(at_samples(stress, samples));
-      const Material material = bodies[a].body->material();
-      for (std::size_t i = 0; i < samples.size(); ++i)
-      {
-        const Stress &exact = exact_stresses_[a][i];
-        squares.error += samples[i].weight * material.energy_density(samples[i].computed - exact);
-        squares.exact += samples[i].weight * material.energy_density(exact);
-      }
+    exact_stresses_.resize(bodies.size());
+    Norms sum;
+    for (const Norms &of_body : setup_.model.executor().of_bodies(bodies.size(), [&](const std::size_t a) {
+           return squares(bodies[a], stresses[a], exact_stresses_[a]);
+         }))
+    {
+      sum.error += of_body.error;
+      sum.exact += of_body.exact;
     }
-    return Norms{std::sqrt(squares.error), std::sqrt(squares.exact)};
+    return Norms{std::sqrt(sum.error), std::sqrt(sum.exact)};
   }
 
   std::optional<StepEstimate> StepEstimates::at(const StepRecord &record, Stopwatch &solving)

@@ -268,6 +268,12 @@ namespace abut
         bodies.begin());
   }
 
+  bool BodyDescription::reads_files() const
+  {
+    return !mesh_file.empty() ||
+           std::any_of(parts.begin(), parts.end(), [](const auto &part) { return part.reads_files(); });
+  }
+
   std::vector<std::string> Scene::mesh_files() const
   {
     std::vector<std::string> files;

@@ -23,7 +23,8 @@ namespace abut
     /// Errors against the fine run, as far as it is good enough.
     void compare_with(const FineRun &fine, const Scene &scene, const Solution &solution, StudyPass &pass)
     {
-      const TrueErrors errors = true_errors(fine.solution, scene, solution.bodies, solution.pairs);
+      const TrueErrors errors =
+          true_errors(fine.solution, scene, solution.bodies, solution.pairs, Executor());
       pass.is_compared = errors.energy && fine.error <= allowed_fine_error * *errors.energy;
       if (!pass.is_compared)
         return;
@@ -67,7 +68,8 @@ namespace abut
       pass.record.seconds -= looking;
       const Stopwatch watch(looking);
       pass.quantities = quantities_of(state.results);
-      pass.quantities.points = quantities_at(point_values(simulation.scene(), state.results.bodies));
+      pass.quantities.points =
+          quantities_at(point_values(simulation.scene(), state.results.bodies, Executor()));
       if (fine != nullptr)
         compare_with(*fine, simulation.scene(), state.results, pass);
       run.passes.push_back(std::move(pass));

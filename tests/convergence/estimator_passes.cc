@@ -62,7 +62,7 @@ namespace
     estimation = estimate(indicator, parameters, {result});
     PassRecord pass;
     pass.counts = body.counts();
-    pass.quality = estimator_quality(exact, estimation, {result}, {});
+    pass.quality = estimator_quality(exact, estimation, {result}, {}, Executor());
     return pass;
   }
 } // namespace

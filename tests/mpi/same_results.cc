@@ -217,7 +217,18 @@ namespace
       {"floating_disc", "prm/v-groove.prm", {}, 3},
       {"scheme_neumann", "prm/two-layers.prm", {"Output/Report=false"}, 2},
       {"combined", "prm/two-layers-paper.prm", {}, 2},
-      {"one_elastic_body", "prm/flat-punch.prm", {"Output/Condition numbers=true"}, 1}};
+      {"one_elastic_body", "prm/flat-punch.prm", {"Output/Condition numbers=true"}, 1},
+      {"goal_and_points",
+       "prm/two-layers-rollers.prm",
+       {"Goal=stress at (0.9, 0.8)", "Tolerance=0.02", "Output/Points=(0, 1); upper: (0.3, 1.2)"},
+       2},
+      {"steps_estimated",
+       "prm/two-layers-rollers.prm",
+       {"Decomposition/Scheme=neumann", "Contact interface/Penalty coefficient=0.1",
+        "Adaptation/Estimator=fe-be", "Adaptation/Estimate steps=1", "Body upper/Cells=16, 4",
+        "Body lower/Cells=16, 4"},
+       2},
+      {"a_pressed_edge", "prm/three-bodies.prm", {"Contact left/Gap=0", "Body foundation/Cells=44, 11"}, 3}};
 
   const std::vector<std::string> thin = {"Body upper/Cells=2, 50", "Body lower/Cells=3, 75"}; // 100:1
 

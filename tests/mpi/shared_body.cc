@@ -173,4 +173,29 @@ namespace
     body.cells = {{80, 4}}; // 20:1
     expect_same_answers(body, false);
   }
+
+  TEST(Messages, OfMoreThanAGigabyteArrive)
+  {
+    constexpr std::size_t size = (std::size_t(5) << 28) + 3; // no whole number of pages
+    Bytes bytes(size);
+    for (std::size_t i = 0; i < size; i += 4093)
+      bytes[i] = static_cast<char>(i % 127);
+    bytes.back() = 'e';
+    constexpr std::uint64_t meeting = 1000;
+    const Gathered all = this_process()->exchange(std::move(bytes), nullptr, meeting);
+    Archive archive = all.of(0);
+    std::array<char, 4093> piece;
+    for (std::size_t i = 0; i + piece.size() < size; i += piece.size())
+    {
+      archive(piece);
+      ASSERT_EQ(piece.front(), static_cast<char>(i % 127)) << i;
+    }
+  }
+
+  TEST(Messages, BeginWhereTheyMayBegin)
+  {
+    const Gathered room({0, 1, 8, 9}, 8);
+    const std::vector<std::size_t> begins = {room.begin(0), room.begin(1), room.begin(2), room.begin(3)};
+    EXPECT_EQ(begins, (std::vector<std::size_t>{0, 0, 8, 16}));
+  }
 } // namespace

@@ -93,4 +93,27 @@ namespace
     Archive archive(bytes, Archive::Direction::unpack);
     EXPECT_ANY_THROW(archive(number, number));
   }
+
+  TEST(Archive, CopiesRecordsOfNumbersAtOnce)
+  {
+    enum class Kind : char
+    {
+      first,
+      second
+    };
+    std::vector<Eigen::Vector2d> places = {{1., 2.}, {3., 4.}, {5., 6.}};
+    std::vector<std::array<unsigned int, 2>> numbers = {{{7, 8}}, {{9, 10}}};
+    std::vector<Kind> kinds = {Kind::second, Kind::first};
+    Bytes bytes;
+    Archive(bytes, Archive::Direction::pack)(places, numbers, kinds);
+    EXPECT_EQ(bytes.size(), 3 * sizeof(std::size_t) + 6 * sizeof(double) + 4 * sizeof(int) + 2);
+    std::vector<Eigen::Vector2d> found_places;
+    std::vector<std::array<unsigned int, 2>> found_numbers;
+    std::vector<Kind> found_kinds;
+    Archive(bytes.data(), bytes.size())(found_places, found_numbers, found_kinds);
+    EXPECT_EQ(found_places, places);
+    EXPECT_EQ(found_numbers, numbers);
+    EXPECT_EQ(found_kinds, kinds);
+    EXPECT_ANY_THROW(Archive(bytes.data(), bytes.size() - 1)(found_places, found_numbers, found_kinds));
+  }
 } // namespace

@@ -181,7 +181,8 @@ end
     // The nodes 3 to 8 press: contact ends at 2.5 and 8.5, below the middles of cells. Those are as long as
     // high: 1.5 diameters reach sqrt(4.5) = 2.12, so in the first row (its middles are at .5) two cells to
     // each side, in the second one (1.5) one, in the third (2.5) none.
-    const auto quality = estimator_quality(KnownErrors(), estimation, bodies, {pressed_from(3, 8)});
+    const auto quality =
+        estimator_quality(KnownErrors(), estimation, bodies, {pressed_from(3, 8)}, Executor());
     ASSERT_TRUE(quality);
     EXPECT_TRUE(quality->has_better);
     const auto is_end = [](const Place &place) {
@@ -213,7 +214,8 @@ end
   {
     for (const auto &[first, last] : {std::pair(0, 12), {20, 19}}) // all press, or none
     {
-      const auto quality = estimator_quality(KnownErrors(), estimation, bodies, {pressed_from(first, last)});
+      const auto quality =
+          estimator_quality(KnownErrors(), estimation, bodies, {pressed_from(first, last)}, Executor());
       ASSERT_TRUE(quality);
       EXPECT_EQ(quality->contact_end.estimated, 0.);
       EXPECT_EQ(quality->contact_end.computed, 0.);
@@ -222,7 +224,8 @@ end
 
   TEST_F(Quality, CorrelationsAreThoseOfTheCells)
   {
-    const auto quality = estimator_quality(KnownErrors(), estimation, bodies, {pressed_from(3, 8)});
+    const auto quality =
+        estimator_quality(KnownErrors(), estimation, bodies, {pressed_from(3, 8)}, Executor());
     ASSERT_TRUE(quality);
     EXPECT_NEAR(quality->spearman, 1., 1e-12); // e^2 grows with e
     // n sum xy - sum x sum y and so on, x = e^2, y = e

@@ -22,7 +22,7 @@ namespace
   std::string page_with_picture(const Results &results)
   {
     PassDrawings drawings;
-    drawings.add_last(results);
+    drawings.add_last(results, Executor());
     return report_page(results, {drawings.drawings(), {}, .25, 1.});
   }
 
@@ -198,9 +198,9 @@ namespace
     for (unsigned int pass = 0; pass < 100; ++pass)
     {
       results.passes.back().pass = pass;
-      drawings.add(results);
+      drawings.add(results, Executor());
     }
-    drawings.add_last(results);
+    drawings.add_last(results, Executor());
     std::vector<unsigned int> passes;
     for (const PassDrawing &drawing : drawings.drawings())
       passes.push_back(drawing.pass);

@@ -38,7 +38,7 @@ namespace
   TEST_F(ReportedScene, PictureIsWellFormedAndHasEveryCell)
   {
     scene.file = "folder/a & <b>.prm";
-    const std::string text = picture(results, deformed_scene(results));
+    const std::string text = picture(results, deformed_scene(results, Executor()));
     const ptree svg = parse_xml(text).get_child("svg");
     EXPECT_EQ(svg.get<std::string>("g.text"), "a & <b>.prm");
     std::size_t cells = 0;
@@ -51,7 +51,7 @@ namespace
 
   TEST_F(ReportedScene, RigidBodiesAreNotExaggeratedButDrawnApart)
   {
-    const DrawnScene drawn = deformed_scene(results);
+    const DrawnScene drawn = deformed_scene(results, Executor());
     EXPECT_EQ(drawn.exaggeration.deformation, 1.);
     EXPECT_EQ(drawn.exaggeration.rigid, 1.);
     ASSERT_TRUE(drawn.moved_apart);
@@ -68,7 +68,7 @@ namespace
   {
     for (const auto &dofs : all_nodes(space_of(*bodies[0])).dofs)
       results.bodies[0].displacement[dofs[1]] = .125;
-    EXPECT_FALSE(deformed_scene(results).moved_apart);
+    EXPECT_FALSE(deformed_scene(results, Executor()).moved_apart);
   }
 
   TEST_F(ReportedScene, ExaggerationMakesTheDeformationVisible)
@@ -81,7 +81,8 @@ namespace
       for (std::size_t i = 0; i < nodes.dofs.size(); ++i) // stretched to both sides
         results.bodies[1].deformation[nodes.dofs[i][0]] = amplitude * (nodes.places[i].x() - .5);
       results.bodies[1].displacement = results.bodies[1].deformation;
-      const double shown = deformed_scene(results).exaggeration.deformation * .5 * amplitude / std::sqrt(5.);
+      const double shown =
+          deformed_scene(results, Executor()).exaggeration.deformation * .5 * amplitude / std::sqrt(5.);
       EXPECT_LE(shown, .05 * (1. + 1e-12)) << amplitude;
       EXPECT_GE(shown, .02 * (1. - 1e-12)) << amplitude;
     }
@@ -150,7 +151,7 @@ namespace
     Eigen::Matrix2d gradient;
     gradient << 1e-3, 0., 0., 0.;
     const double expected = bodies[1]->material().stress(gradient).von_mises();
-    EXPECT_NEAR(deformed_scene(results).bodies[1].von_mises.at(0), expected, 1e-13 * expected);
+    EXPECT_NEAR(deformed_scene(results, Executor()).bodies[1].von_mises.at(0), expected, 1e-13 * expected);
   }
 
   TEST_F(ReportedScene, VtuIsXmlWithAllArrays)

@@ -179,7 +179,7 @@ namespace Step4
                     const SchemeResult &answer)
   {
     const std::vector<BodyResult> bodies = body_results(model, answer, 0., nullptr);
-    return true_errors(exact, scene, bodies, pair_results(model, answer, bodies));
+    return true_errors(exact, scene, bodies, pair_results(model, answer, bodies), model.executor());
   }
 
   // The pressures at the nodes, between which they are joined by straight lines, against the exact ones.

@@ -26,6 +26,9 @@ namespace abut
    */
   void for_each(std::size_t n, const std::function<void(std::size_t)> &f);
 
+  /// Runs f, whose inner loops do not take turns of outer ones meanwhile: for work under a lock.
+  void by_itself(const std::function<void()> &f);
+
   /// Ranks of processes, increasing.
   using Ranks = std::vector<unsigned int>;
 
@@ -48,8 +51,8 @@ namespace abut
 
   /**
    * Who computes what of the bodies of a scene: threads of one process or, where several processes share a
-   * run, the one in which a body lives. What is dear - a body's stiffness, factor and operators, and what
-   * needs them - is there alone; meshes, fields and the interface problem are the same everywhere. A body may
+   * run, the one in which a body lives. What is dear - a body's mesh, stiffness, factor and operators, and
+   * what needs them - is there alone; fields and the interface problem are the same everywhere. A body may
    * live in several processes: all of them take its turns, together, and share its stiffness among them.
    */
   class Executor
@@ -76,6 +79,8 @@ namespace abut
     {
       return processes_ ? static_cast<unsigned int>(homes_[body].size()) : 1;
     }
+    /// Whether a body lives in this process.
+    bool is_home(std::size_t body) const;
     /// Whether this process passes on what comes of a body, and writes its files.
     bool tells_of(const std::size_t body) const { return !processes_ || homes_[body].front() == rank_; }
     /// In how many processes these bodies live.

@@ -105,6 +105,8 @@ namespace abut
 
   private:
     explicit Processes(std::unique_ptr<Communicator> communicator);
+    /// Prints what only this process knows of, while the others wait for it, and ends all of them.
+    [[noreturn]] void end_all(const std::exception_ptr &failure) const;
 
     std::unique_ptr<Communicator> communicator_;
     unsigned int size_ = 1, rank_ = 0;

@@ -11,12 +11,13 @@ namespace abut
   /**
    * A body of a run of several processes: its mesh is where it lives. The others know what it tells of itself
    * there; whoever asks for anything else gets the answer of the body itself, which is made then and follows
-   * the mesh from there on, as it is when the body comes to live in another process.
+   * the mesh from there on, as it is when the body comes to live in another process. One that is made from a
+   * file is made at once, in all processes: files may change while a run goes on.
    */
   class TravellingBody : public Body
   {
   public:
-    /// `contact_sides`: their names, see make_body. Nothing is made yet; the body has to `learn` first.
+    /// `contact_sides`: their names, see make_body. The body has to `learn` before it is asked for anything.
     TravellingBody(const BodyDescription &description, std::vector<std::string> contact_sides);
 
     /// With mesh and all: the same in every process. Throws ComputationError where it is not.
@@ -25,10 +26,12 @@ namespace abut
 
     /// Where it lives: what it is on its present mesh.
     BodyFacts tell() const { return facts_of(whole(), contact_side_names_); }
-    /// In all processes: what it has told.
-    void learn(BodyFacts facts) { facts_ = std::move(facts); }
+    /// In all processes: what it has told. Throws ComputationError where it is another one here.
+    void learn(BodyFacts facts);
     /// The same after an adaptation. Where it lives it has been adapted by these marks; elsewhere it follows.
     void learn(BodyFacts facts, const CellMarks &marks);
+    /// It lives elsewhere from now on: what it takes is given back.
+    void leave();
 
     // What it has told.
     const std::vector<Trace> &contact_sides() const override { return facts_->contact_sides; }

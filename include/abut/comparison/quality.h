@@ -15,5 +15,5 @@ namespace abut
   std::optional<EstimatorQuality> estimator_quality(const ExactSolution &exact, const Estimation &estimation,
                                                     const std::vector<BodyResult> &bodies,
                                                     const std::vector<PairResult> &pairs,
-                                                    const Executor &executor = {});
+                                                    const Executor &executor);
 } // namespace abut

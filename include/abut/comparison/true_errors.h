@@ -17,7 +17,7 @@ namespace abut
    */
   TrueErrors true_errors(const ExactSolution &exact, const Scene &scene,
                          const std::vector<BodyResult> &bodies, const std::vector<PairResult> &pairs,
-                         const Executor &executor = {});
+                         const Executor &executor);
 
   /// Tells the first pair its exact pressures, where the solution knows them.
   void add_exact_pressures(const ExactSolution &exact, const Scene &scene, std::vector<PairResult> &pairs);

@@ -57,7 +57,7 @@ namespace abut
    * stand apart, and those that would overlap are drawn elsewhere (see `shifts_apart`). Bodies are drawn
    * where they live: all processes have to call it.
    */
-  DrawnScene deformed_scene(const Results &results, const Executor &executor = {});
+  DrawnScene deformed_scene(const Results &results, const Executor &executor);
 
   /// Which factors apply to what, for people.
   std::string deformation_caption(const DrawnScene &scene);

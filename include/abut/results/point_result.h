@@ -14,5 +14,8 @@ namespace abut
     Vector2 displacement = Vector2::Zero();
     Stress stress;                           ///< mean over the cells that meet there
     std::vector<MaterialStress> by_material; ///< of each of them, where cells of several meet
+
+    /// All but the body.
+    void serialize(Archive &archive) { archive(number, place, displacement, stress, by_material); }
   };
 } // namespace abut

@@ -9,7 +9,8 @@
 
 namespace abut
 {
-  /// Throws UserError where no body has the point of a stress, or there is no contact.
+  /// Throws UserError where no body has the point of a stress, or there is no contact. All processes have to
+  /// call it, as what follows.
   void check_goal(const Scene &scene, const Model &model);
 
   /// The goal's value and error in a pass. `penalty`: what it changes, empty where that is not known.
@@ -18,5 +19,6 @@ namespace abut
 
   /// Marks the cells in which the goal's value stands, in bodies that adapt: the energy norm may leave them
   /// coarse.
-  void mark_goal(const Scene &scene, const Solution &solution, std::vector<CellMarks> &marks);
+  void mark_goal(const Scene &scene, const Solution &solution, const Executor &executor,
+                 std::vector<CellMarks> &marks);
 } // namespace abut

@@ -76,7 +76,8 @@ namespace abut
     void adapt_bodies(const std::vector<CellMarks> &marks, std::vector<std::vector<Eigen::VectorXd>> &fields);
     /// The names of a body's contact sides, in the order of its trace vector.
     std::vector<std::string> sides_of(std::size_t body) const;
-    /// See abut::for_each_body.
+    /// Runs f of all bodies: one after the other of those that share a mesh among processes, as that takes
+    /// all of these in the same order; the others side by side.
     void for_each_body(const std::function<void(std::size_t)> &f) const;
     ContactBody contact_body(const Side &side) const;
     PairInput pair_input(std::size_t index) const;

@@ -6,9 +6,11 @@
 
 namespace abut
 {
-  /// Refuses points that no elastic body has, or not the body named (UserError).
+  /// Refuses points that no elastic body has, or not the body named (UserError). All processes have to call
+  /// it, as what follows.
   void check_output_points(const Scene &scene, const Model &model);
 
   /// The solution at the scene's points, one after the other, of each body asked that has them.
-  std::vector<PointResult> point_values(const Scene &scene, const std::vector<BodyResult> &bodies);
+  std::vector<PointResult> point_values(const Scene &scene, const std::vector<BodyResult> &bodies,
+                                        const Executor &executor);
 } // namespace abut

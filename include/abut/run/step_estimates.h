@@ -31,8 +31,13 @@ namespace abut
     /// Energy norm of the error, and of the exact stress.
     struct Norms
     {
-      double error, exact;
+      double error = 0., exact = 0.;
+
+      void serialize(Archive &archive) { archive(error, exact); }
     };
+    /// Their squares on a body. `exact_stresses`: at its samples, which are found once.
+    static Norms squares(const BodyResult &body, const OwnStress &stress,
+                         std::vector<Stress> &exact_stresses);
     std::optional<Norms> true_error(const std::vector<BodyResult> &bodies);
 
     const Setup setup_;

@@ -61,10 +61,12 @@ namespace abut
     std::array<unsigned int, 2> cells{{1, 1}}; ///< rectangle: along x, y. Disc and ring: along a quarter arc,
                                                ///< radially. L-shape: of each of its squares along x, y
     std::array<double, 2> grading{
-        {1., 1.}};                    ///< rectangle: size of the last cell over that of the first, along x, y
-    std::optional<Expression> top;    ///< rectangle with curved top: the top's height y at x
-    std::string mesh_file;            ///< as the user wrote it, relative to the parameter file
-    std::string mesh_path;            ///< where it lies
+        {1., 1.}};                 ///< rectangle: size of the last cell over that of the first, along x, y
+    std::optional<Expression> top; ///< rectangle with curved top: the top's height y at x
+    std::string mesh_file;         ///< as the user wrote it, relative to the parameter file
+    std::string mesh_path;         ///< where it lies
+    /// Whether its mesh, or that of a part, is made from a file.
+    bool reads_files() const;
     std::vector<OutlineLoop> outline; ///< of the shape outline
     MeshSize mesh_size;               ///< of geometry files and outlines
     BoundaryCurve boundary_curve = BoundaryCurve::smooth;

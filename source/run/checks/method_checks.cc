@@ -14,15 +14,18 @@ namespace abut
     using Bodies = std::vector<std::unique_ptr<Body>>;
 
     /// Which body's error the estimator fe-be sees a part of only; empty where it sees it whole.
-    std::string underestimated_body(const AdaptationParameters &adaptation, const Bodies &bodies)
+    std::string underestimated_body(const AdaptationParameters &adaptation, const Bodies &bodies,
+                                    const Executor &executor)
     {
       if (!Registry<EstimatorEntry>::get().find(adaptation.estimator).has_boundary_elements ||
           adaptation.boundary_solution == BoundarySolution::trace_space ||
           adaptation.boundary_solution == BoundarySolution::reference_quality)
         return {};
-      for (const auto &body : bodies)
-        if (!body->singular_vertices().empty())
-          return body->name();
+      const std::vector<std::size_t> n_vertices = executor.of_bodies(
+          bodies.size(), [&](const std::size_t a) { return bodies[a]->singular_vertices().size(); });
+      for (std::size_t a = 0; a < bodies.size(); ++a)
+        if (n_vertices[a] > 0)
+          return bodies[a]->name();
       return {};
     }
 
@@ -109,7 +112,7 @@ namespace abut
             Registry<EstimatorEntry>::get().find(scene.adaptation.estimator), model.bodies());
         !sentence.empty())
       warnings.push_back({WarningCode::rough_estimator, sentence});
-    const std::string body = underestimated_body(scene.adaptation, model.bodies());
+    const std::string body = underestimated_body(scene.adaptation, model.bodies(), model.executor());
     if (!body.empty())
       warnings.push_back(
           {WarningCode::estimator_sees_a_part,
@@ -150,7 +153,7 @@ namespace abut
   {
     Warnings warnings = input_warnings(scene, model);
     append(warnings, result_warnings(model.executor(), results));
-    append(warnings, output_point_warnings(results.points));
+    append(warnings, output_point_warnings(model, results.points));
     append(warnings, goal_warnings(scene, model));
     append(warnings, displaced_overlap_warnings(scene, model, results));
     append(warnings, coarse_mesh_warnings(model.executor(), results));

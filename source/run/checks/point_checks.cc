@@ -74,15 +74,49 @@ namespace abut
     }
   } // namespace
 
-  Warnings output_point_warnings(const std::vector<PointResult> &points)
+  namespace
+  {
+    /// Of each of the points that are a body's; none of others.
+    std::vector<Warnings> point_warnings(const Body &body, const std::vector<PointResult> &points)
+    {
+      std::vector<Warnings> warnings(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const PointResult &point = points[i];
+        if (point.body != &body)
+          continue;
+        if (is_singular(body, point.place))
+          warnings[i] = {infinite_stress(body, point.place, "one of Output/Points")};
+        else if (point.by_material.size() > 1)
+          warnings[i] = {
+              mean_stress(body, point.place, "one of Output/Points", values_of(point.by_material))};
+      }
+      return warnings;
+    }
+
+    Warnings goal_warnings(const Body &body, const Vector2 &place)
+    {
+      if (body.cells_at(place).empty())
+        return {};
+      if (is_singular(body, place))
+        return {infinite_stress(body, place, "the Goal")};
+      if (has_several_materials(body, place))
+        return {mean_stress(body, place, "the Goal", "")};
+      return {};
+    }
+  } // namespace
+
+  Warnings output_point_warnings(const Model &model, const std::vector<PointResult> &points)
   {
     Warnings warnings;
-    for (const PointResult &point : points)
-      if (is_singular(*point.body, point.place))
-        warnings.push_back(infinite_stress(*point.body, point.place, "one of Output/Points"));
-      else if (point.by_material.size() > 1)
-        warnings.push_back(
-            mean_stress(*point.body, point.place, "one of Output/Points", values_of(point.by_material)));
+    if (points.empty())
+      return warnings;
+    const auto of_bodies = model.executor().of_bodies(model.bodies().size(), [&](const std::size_t a) {
+      return point_warnings(*model.bodies()[a], points);
+    });
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (const std::vector<Warnings> &of_body : of_bodies)
+        append(warnings, of_body[i]);
     return warnings;
   }
 
@@ -90,15 +124,11 @@ namespace abut
   {
     Warnings warnings;
     if (scene.goal.kind == Goal::Kind::stress)
-      for (const auto &body : model.bodies())
-      {
-        if (body->cells_at(scene.goal.point).empty())
-          continue;
-        if (is_singular(*body, scene.goal.point))
-          warnings.push_back(infinite_stress(*body, scene.goal.point, "the Goal"));
-        else if (has_several_materials(*body, scene.goal.point))
-          warnings.push_back(mean_stress(*body, scene.goal.point, "the Goal", ""));
-      }
+      for (const Warnings &of_body :
+           model.executor().of_bodies(model.bodies().size(), [&](const std::size_t a) {
+             return goal_warnings(*model.bodies()[a], scene.goal.point);
+           }))
+        append(warnings, of_body);
     return warnings;
   }
 } // namespace abut

@@ -22,9 +22,9 @@ namespace abut
   {
   public:
     /// After each pass, with the results so far. All processes have to call it (see deformed_scene).
-    void add(const Results &results, const Executor &executor = {});
+    void add(const Results &results, const Executor &executor);
     /// After the run: the last pass, if it has not been kept. Likewise.
-    void add_last(const Results &results, const Executor &executor = {});
+    void add_last(const Results &results, const Executor &executor);
 
     const std::vector<PassDrawing> &drawings() const { return drawings_; }
     /// The last pass; null where its mesh has too many cells.

@@ -58,8 +58,9 @@ namespace abut
   /// have to call it, as `all_warnings`.
   Warnings result_warnings(const Executor &executor, const Solution &solution);
 
-  /// Of points that the scene names: the exact stress is infinite there.
-  Warnings output_point_warnings(const std::vector<PointResult> &points);
+  /// Of points that the scene names: the exact stress is infinite there. All processes have to call it, and
+  /// the next one.
+  Warnings output_point_warnings(const Model &model, const std::vector<PointResult> &points);
   /// Goal = stress at a place where the exact stress is infinite.
   Warnings goal_warnings(const Scene &scene, const Model &model);
 
