@@ -26,6 +26,7 @@ namespace abut
       entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
         return std::make_unique<KellyIndicator>();
       };
+      entry.takes_distributed_meshes = true;
       entry.make_certifier = [](const AdaptationParameters &parameters) -> std::unique_ptr<Indicator> {
         return std::make_unique<CertifyingIndicator>(parameters);
       };

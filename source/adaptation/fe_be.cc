@@ -89,6 +89,7 @@ namespace abut
                                                BoundaryAccuracy{parameters.boundary_accuracy});
       };
       entry.has_boundary_elements = true;
+      entry.takes_distributed_meshes = true;
       return entry;
     }
 

@@ -22,7 +22,7 @@ namespace abut
       std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
       NodalStress sums = NodalStress::Zero(space.n_dofs(), 3);
       Eigen::VectorXd areas = Eigen::VectorXd::Zero(space.n_dofs());
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      for (const auto &cell : space.own_cells())
       {
         if (cell->material_id() != material)
           continue;
@@ -36,6 +36,9 @@ namespace abut
           areas[dofs[i]] += area;
         }
       }
+      areas = space.sum(std::move(areas));
+      for (int component = 0; component < 3; ++component)
+        sums.col(component) = space.sum(sums.col(component));
       const Eigen::VectorXd shares = (areas.array() > 0.).select(areas.cwiseInverse(), 0.);
       const NodalStress means = shares.asDiagonal() * sums;
       if (!space.has_hanging_nodes())
@@ -57,7 +60,7 @@ namespace abut
                                dealii::update_values);
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<Stress> better;
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.own_cells())
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);
@@ -71,7 +74,7 @@ namespace abut
         better.push_back({sum[0], sum[1], sum[2], nu * (sum[0] + sum[1])});
       }
     }
-    return compare(solution, better);
+    return compare(solution, space.gathered(std::move(better)));
   }
 
   namespace
@@ -82,6 +85,7 @@ namespace abut
       entry.make = [](const AdaptationParameters &) -> std::unique_ptr<Indicator> {
         return std::make_unique<ZZIndicator>();
       };
+      entry.takes_distributed_meshes = true;
       entry.worth = {{.7, 1.1}, {.3, .9}, {.3, 1.2}};
       return entry;
     }

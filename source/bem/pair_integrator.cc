@@ -62,7 +62,7 @@ namespace abut
   {
     const BoundaryElement &a = elements_[element], &b = elements_[other];
     const bool flat = collinear(a, b, round_off_);
-    if (a.length <= b.length)
+    if (beside_ties * a.length <= b.length)
       visit(element, other, near_.integrate(a, b, flat));
     else
       visit(other, element, near_.integrate(b, a, flat));

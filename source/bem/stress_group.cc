@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <abut/base/lagrange_basis.h>
 #include <abut/base/vector_versions.h>
+#include <abut/bem/galerkin_rule.h>
 #include <abut/bem/stress_group.h>
 
 #include <deal.II/base/exceptions.h>
@@ -183,7 +184,8 @@ namespace abut
     for (const StressRules::Rule &rule : rules.rules)
     {
       // Not closer than the radius, because places are rounded relative to it.
-      from_square_.push_back(std::pow(radius + std::max(radius, rule.from_distance * longest), 2));
+      from_square_.push_back(beside_ties *
+                             std::pow(radius + std::max(radius, rule.from_distance * longest), 2));
       lanes_.emplace_back(static_cast<std::size_t>(rule.points.size()) * blocks * block);
     }
     // Lanes without an element repeat the places of the first one, with densities of zero.

@@ -35,7 +35,8 @@ namespace abut
     int tier(const double distance, const double length) const
     {
       int index = -1;
-      while (index + 1 < n_distances_ && distance >= distances_[static_cast<std::size_t>(index + 1)] * length)
+      while (index + 1 < n_distances_ &&
+             distance >= beside_ties * distances_[static_cast<std::size_t>(index + 1)] * length)
         ++index;
       return index;
     }

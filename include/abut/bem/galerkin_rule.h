@@ -7,6 +7,10 @@
 
 namespace abut
 {
+  /// Elements of a regular mesh are as long as each other and whole lengths apart: sizes that are compared to
+  /// choose a rule are taken by this factor, so that rounding does not choose it.
+  inline constexpr double beside_ties = 1. - 1e-9;
+
   /**
    * How the double integrals of a pair of elements are formed. Near pairs: over the larger element in closed
    * form, over the smaller one (the outer one) by Gauss points on pieces of it. Those integrals over the

@@ -8,8 +8,13 @@ namespace abut
 {
   BoundaryModels::BoundaryModels(const FiniteElementBody &body, const BoundarySolution kind,
                                  const BoundaryAccuracy &accuracy)
-      : piece_of_(body.space().mesh().triangulation.n_active_cells())
+      : piece_of_(body.space().n_cells(), 0)
   {
+    if (body.space().mesh().processes) // shapes in one piece, whose sides are the same in all of them
+    {
+      models_.push_back(std::make_unique<BoundaryModel>(body, kind, accuracy, std::vector<bool>()));
+      return;
+    }
     const auto pieces = mesh_pieces(body.space());
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {

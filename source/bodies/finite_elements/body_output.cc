@@ -111,6 +111,20 @@ namespace abut
       dealii::UpdateFlags get_needed_update_flags() const override { return dealii::update_values; }
     };
 
+    using ShownVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    /// The part of a field that own cells show.
+    ShownVector to_dealii(const Eigen::VectorXd &field, const dealii::DoFHandler<2> &dof_handler)
+    {
+      dealii::IndexSet relevant;
+      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      ShownVector shown(dof_handler.locally_owned_dofs(), relevant, dof_handler.get_communicator());
+      for (const auto dof : dof_handler.locally_owned_dofs())
+        shown[dof] = field[static_cast<Eigen::Index>(dof)];
+      shown.update_ghost_values();
+      return shown;
+    }
+
     /// The better stress as discontinuous polynomials of the finite elements' degree: in each cell those
     /// nearest to the values at the points of the comparison.
     class BetterStressField
@@ -126,26 +140,28 @@ namespace abut
         else
           dof_handler_.distribute_dofs(
               dealii::FESystem<2>(dealii::FE_SimplexDGP<2>(space.degree()), n_stress_values));
-        values_.reinit(dof_handler_.n_dofs());
-        fit(space, better);
+        values_ = to_dealii(fitted(space, better), dof_handler_);
       }
 
       const dealii::DoFHandler<2> &dof_handler() const { return dof_handler_; }
-      const dealii::Vector<double> &values() const { return values_; }
+      const ShownVector &values() const { return values_; }
 
     private:
-      void fit(const Space &space, const std::vector<Stress> &better)
+      /// In the own cells; zero elsewhere.
+      Eigen::VectorXd fitted(const Space &space, const std::vector<Stress> &better) const
       {
+        Eigen::VectorXd field = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(dof_handler_.n_dofs()));
         const auto &element = dof_handler_.get_fe();
         const auto &scalar = element.base_element(0);
         dealii::FEValues<2> values(space.mapping(), scalar, sample_rule(space, SamplePoints::comparison),
                                    dealii::update_values | dealii::update_JxW_values);
         const auto n = static_cast<Eigen::Index>(scalar.n_dofs_per_cell());
         std::vector<dealii::types::global_dof_index> dofs(element.n_dofs_per_cell());
-        auto stress = better.begin();
-        for (const auto &cell : dof_handler_.active_cell_iterators())
+        for (const auto &cell : own_cells(dof_handler_))
         {
-          values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(cell)); // one component of four
+          const std::size_t first = cell->global_active_cell_index() * values.n_quadrature_points;
+          const dealii::DoFHandler<2>::active_cell_iterator &base = cell;
+          values.reinit(static_cast<dealii::Triangulation<2>::cell_iterator>(base)); // one component of four
           Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
           Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, n_stress_values);
           for (const unsigned int q : values.quadrature_point_indices())
@@ -153,22 +169,23 @@ namespace abut
             Eigen::VectorXd shapes(n);
             for (Eigen::Index i = 0; i < n; ++i)
               shapes[i] = values.shape_value(static_cast<unsigned int>(i), q);
-            const auto s = stress_values(*stress++);
+            const auto s = stress_values(better[first + q]);
             mass += values.JxW(q) * shapes * shapes.transpose();
             moments += values.JxW(q) * shapes * Eigen::RowVectorXd::Map(s.data(), n_stress_values);
           }
-          const Eigen::MatrixXd fitted = mass.ldlt().solve(moments);
+          const Eigen::MatrixXd nearest = mass.ldlt().solve(moments);
           cell->get_dof_indices(dofs);
           for (unsigned int i = 0; i < dofs.size(); ++i)
           {
             const auto [component, shape] = element.system_to_component_index(i);
-            values_[dofs[i]] = fitted(shape, component);
+            field[static_cast<Eigen::Index>(dofs[i])] = nearest(shape, component);
           }
         }
+        return field;
       }
 
       dealii::DoFHandler<2> dof_handler_;
-      dealii::Vector<double> values_;
+      ShownVector values_;
     };
 
     /// Shows what it has built.
@@ -180,20 +197,6 @@ namespace abut
         return {get_patches(), get_dataset_names(), get_nonscalar_data_ranges()};
       }
     };
-
-    using ShownVector = dealii::LinearAlgebra::distributed::Vector<double>;
-
-    /// The part of a field that own cells show.
-    ShownVector to_dealii(const Eigen::VectorXd &field, const dealii::DoFHandler<2> &dof_handler)
-    {
-      dealii::IndexSet relevant;
-      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      ShownVector shown(dof_handler.locally_owned_dofs(), relevant, dof_handler.get_communicator());
-      for (const auto dof : dof_handler.locally_owned_dofs())
-        shown[dof] = field[static_cast<Eigen::Index>(dof)];
-      shown.update_ghost_values();
-      return shown;
-    }
 
     /// The mean over every cell.
     dealii::Vector<double> mean_von_mises(const StressField &field, const Space &space)
