@@ -60,7 +60,7 @@ namespace abut
       {
         const Complex vertex = -offset_[piece.from_end][inner_end] / (piece.from_end ? -edge_ : edge_);
         const double beside = std::max({piece.first - vertex.real(), vertex.real() - piece.last, 0.});
-        return beside_ties * piece.size() <= share * piece_length_ * std::hypot(beside, vertex.imag());
+        return piece.size() <= beside_ties * share * piece_length_ * std::hypot(beside, vertex.imag());
       }
 
       Complex edge_;
