@@ -35,6 +35,7 @@ namespace abut
         reactions[boundary] = components(force);
       return {{"name", result.body->name()},
               {"processes", result.n_processes},
+              {"mesh_processes", result.n_meshes},
               {"cells", counts.cells},
               {"dofs", counts.dofs},
               {"boundary_dofs", counts.boundary_dofs},

@@ -56,11 +56,12 @@ namespace abut
     state_is_field_ = guess.traction.has_value();
     if (guess.traction)
       return {setup_.model.respond(*guess.traction), *guess.traction};
-    CarriedState state{{}, Eigen::VectorXd::Zero(problem.n_pressures())};
-    for (std::size_t a = 0; a < problem.bodies().size(); ++a)
-      state.displacements.push_back(
-          field_on_contact_nodes(*setup_.model.bodies()[a], problem.normal_displacements(guess.response, a)));
-    return state;
+    Fields displacements =
+        setup_.model.executor().of_bodies(problem.bodies().size(), [&](const std::size_t a) {
+          return field_on_contact_nodes(*setup_.model.bodies()[a],
+                                        problem.normal_displacements(guess.response, a));
+        });
+    return {std::move(displacements), Eigen::VectorXd::Zero(problem.n_pressures())};
   }
 
   void CombinedPass::take_step(const CarriedState &state, const InterfaceProblem::Loads &loads,

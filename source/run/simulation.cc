@@ -135,6 +135,9 @@ namespace abut
     add_final_values(executor(), scene_.tells_condition, results.bodies);
     results.warnings = all_warnings(scene_, *model_, results, pass->dropped_loads());
     results.left_out = left_out(setup(), results);
+    const std::vector<unsigned int> n_meshes = model_->n_meshes(); // now that all has been asked
+    for (std::size_t a = 0; a < n_meshes.size(); ++a)
+      results.bodies[a].n_meshes = n_meshes[a];
     return results;
   }
 

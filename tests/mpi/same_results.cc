@@ -6,6 +6,7 @@
 
 #include "../unit/vtu_file.h"
 #include "mpirun.h"
+#include "shared_scenes.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,17 +20,6 @@ namespace
 {
   constexpr double tolerance = 1e-8, round_off = 1e-12; // of numbers that are zero but for round-off
 
-  struct SharedScene
-  {
-    std::string name, file;
-    std::vector<std::string> overrides;
-    std::size_t n_elastic;
-    bool has_hanging_nodes = false;
-    std::vector<std::string> in_all = {}; ///< bodies that live in all processes
-    bool iterates = true;                 ///< where these are solved together
-    bool share_meshes = false;            ///< these, too
-  };
-
   /// What a difference is measured by: the number itself or, where bodies are solved in another way, the
   /// whole of which it is a relative error.
   enum class Measure
@@ -42,9 +32,9 @@ namespace
   /// way in which bodies are solved, the number of solves, and ranks of what is the same but for round-off.
   bool is_compared(const std::string &key, const Measure measure)
   {
-    static const std::set<std::string> others = {"processes",        "peak_memory_mb", "time_s",
-                                                 "mpi_initialised",  "left_out",       "warnings",
-                                                 "p4est_initialised"},
+    static const std::set<std::string> others = {"processes", "mesh_processes",   "peak_memory_mb",
+                                                 "time_s",    "mpi_initialised",  "left_out",
+                                                 "warnings",  "p4est_initialised"},
                                        of_ways = {"iterations", "solves", "spearman"};
     const bool is_seconds = key.size() > 2 && key.compare(key.size() - 2, 2, "_s") == 0;
     return !is_seconds && others.count(key) == 0 &&
@@ -141,7 +131,7 @@ namespace
     return arguments;
   }
 
-  /// In how many processes every body lived, and whether its equations were iterated.
+  /// In how many processes every body lived and had a mesh, and whether its equations were iterated.
   void expect_homes(const SharedScene &scene, const json &summary, const unsigned int n)
   {
     for (const json &body : summary["bodies"])
@@ -149,6 +139,10 @@ namespace
       const std::string name = body["name"];
       const bool is_in_all = std::count(scene.in_all.begin(), scene.in_all.end(), name) > 0;
       EXPECT_EQ(body["processes"], is_in_all ? n : 1) << name;
+      if (body["cells"] > 0 && n > 1)
+      {
+        EXPECT_EQ(body["mesh_processes"], is_in_all || name == scene.known_to_all ? n : 1) << name;
+      }
       EXPECT_EQ(summary["counters"]["bodies"][name]["iterations"] > 0, is_in_all && n > 1 && scene.iterates)
           << name;
     }
@@ -205,114 +199,10 @@ namespace
     }
   }
 
-  const std::vector<std::string> adaptive = {"Adaptation/Estimator=fe-be", "Body upper/Cells=16, 4",
-                                             "Body lower/Cells=16, 4",     "Body upper/Adapt=true",
-                                             "Body lower/Adapt=true",      "Adaptation/Maximum passes=4"};
-
-  const std::vector<SharedScene> scenes = {
-      {"hanging_nodes_by_fe_be", "prm/two-layers-rollers.prm", adaptive, 2, true},
-      {"penalised", "prm/two-layers-rollers.prm",
-       with(adaptive, {"Contact interface/Penalty coefficient=0.05"}), 2, true},
-      {"three_bodies", "prm/three-bodies.prm", {}, 3},
-      {"floating_disc", "prm/v-groove.prm", {}, 3},
-      {"scheme_neumann", "prm/two-layers.prm", {"Output/Report=false"}, 2},
-      {"combined", "prm/two-layers-paper.prm", {}, 2},
-      {"one_elastic_body", "prm/flat-punch.prm", {"Output/Condition numbers=true"}, 1},
-      {"goal_and_points",
-       "prm/two-layers-rollers.prm",
-       {"Goal=stress at (0.9, 0.8)", "Tolerance=0.02", "Output/Points=(0, 1); upper: (0.3, 1.2)"},
-       2},
-      {"steps_estimated",
-       "prm/two-layers-rollers.prm",
-       {"Decomposition/Scheme=neumann", "Contact interface/Penalty coefficient=0.1",
-        "Adaptation/Estimator=fe-be", "Adaptation/Estimate steps=1", "Body upper/Cells=16, 4",
-        "Body lower/Cells=16, 4"},
-       2},
-      {"a_pressed_edge", "prm/three-bodies.prm", {"Contact left/Gap=0", "Body foundation/Cells=44, 11"}, 3}};
-
-  const std::vector<std::string> thin = {"Body upper/Cells=2, 50", "Body lower/Cells=3, 75"}; // 100:1
-
-  const std::vector<SharedScene> scenes_in_all = {
-      {"both_layers", "prm/two-layers-rollers.prm", {}, 2, false, {"upper", "lower"}},
-      {"hanging_nodes_by_fe_be", "prm/two-layers-rollers.prm", adaptive, 2, true, {"lower", "upper"}},
-      {"penalised",
-       "prm/two-layers-rollers.prm",
-       with(adaptive, {"Contact interface/Penalty coefficient=0.05"}),
-       2,
-       true,
-       {"lower", "upper"}},
-      {"one_of_three_bodies", "prm/three-bodies.prm", {}, 3, false, {"foundation"}},
-      {"floating_disc", "prm/v-groove.prm", {}, 3, false, {"disc"}},
-      {"degree_3",
-       "prm/two-layers-rollers.prm",
-       {"Discretisation/Degree=3", "Body upper/Cells=24, 6", "Body lower/Cells=28, 7"},
-       2,
-       false,
-       {"lower"}},
-      {"nearly_incompressible",
-       "prm/two-layers-rollers.prm",
-       {"Body upper/Poisson ratio=0.4999", "Body lower/Poisson ratio=0.4999"},
-       2,
-       false,
-       {"upper", "lower"},
-       false},
-      {"thin_cells", "prm/two-layers-rollers.prm", thin, 2, false, {"upper", "lower"}, false}};
-
-  const std::vector<std::string> by_kelly = {"Adaptation/Estimator=kelly", "Adaptation/Maximum passes=4"},
-                                 both_by_kelly =
-                                     with(by_kelly, {"Body upper/Cells=16, 4", "Body lower/Cells=12, 4",
-                                                     "Body upper/Adapt=true", "Body lower/Adapt=true"});
-
-  const std::vector<SharedScene> scenes_with_shared_meshes = {
-      {"both_layers", "prm/two-layers-rollers.prm", {}, 2, false, {"upper", "lower"}, true, true},
-      {"hanging_nodes", "prm/two-layers-rollers.prm", both_by_kelly, 2, true, {"upper", "lower"}, true, true},
-      {"merged_cells",
-       "prm/two-layers-rollers.prm",
-       with(both_by_kelly, {"Adaptation/Coarsening=0.05", "Body upper/Degree=2"}),
-       2,
-       true,
-       {"upper", "lower"},
-       true,
-       true},
-      {"hanging_nodes_by_zz",
-       "prm/two-layers-rollers.prm",
-       with(both_by_kelly, {"Adaptation/Estimator=zz", "Body upper/Degree=2"}),
-       2,
-       true,
-       {"upper", "lower"},
-       true,
-       true},
-      {"hanging_nodes_by_fe_be",
-       "prm/two-layers-rollers.prm",
-       with(both_by_kelly, {"Adaptation/Estimator=fe-be"}),
-       2,
-       true,
-       {"upper", "lower"},
-       true,
-       true},
-      {"one_of_three_bodies", "prm/three-bodies.prm", {}, 3, false, {"foundation"}, true, true},
-      {"reentrant_corner",
-       "prm/corner.prm",
-       {"Adaptation/Estimator=kelly"},
-       1,
-       true,
-       {"bracket"},
-       true,
-       true},
-      {"curved_sides", "prm/shrink-fit.prm", {}, 2, false, {"disc", "ring"}, true, true},
-      {"floating_disc",
-       "prm/v-groove.prm",
-       with(by_kelly, {"Body disc/Adapt=true"}),
-       3,
-       false,
-       {"disc"},
-       true,
-       true}};
-
-  INSTANTIATE_TEST_SUITE_P(SharedMeshes, SharedRun, ::testing::ValuesIn(scenes_with_shared_meshes),
+  INSTANTIATE_TEST_SUITE_P(SharedMeshes, SharedRun, ::testing::ValuesIn(scenes_with_shared_meshes()),
                            [](const auto &scene) { return scene.param.name; });
-  INSTANTIATE_TEST_SUITE_P(BodiesInAll, SharedRun, ::testing::ValuesIn(scenes_in_all),
+  INSTANTIATE_TEST_SUITE_P(BodiesInAll, SharedRun, ::testing::ValuesIn(scenes_in_all()),
                            [](const auto &scene) { return scene.param.name; });
-  INSTANTIATE_TEST_SUITE_P(Scenes, SharedRun, ::testing::ValuesIn(scenes),
+  INSTANTIATE_TEST_SUITE_P(Scenes, SharedRun, ::testing::ValuesIn(scenes_of_whole_bodies()),
                            [](const auto &scene) { return scene.param.name; });
 } // namespace

@@ -50,6 +50,7 @@ namespace abut
     BodyCounters counters;
     CellsSummary cells;
     unsigned int n_processes = 1;   ///< in which it lives
+    unsigned int n_meshes = 1;      ///< processes that have its mesh at the end of the run
     double rigid_displacement = 0.; ///< of the side that carries a given resultant
     Reactions reactions;
     Eigen::VectorXd eta;        ///< of each cell, where estimated

@@ -3,9 +3,8 @@
 
 #include <abut/base/archive.h>
 #include <abut/base/counts.h>
-#include <abut/bodies/travelling_body.h>
-#include <abut/comparison/exact_solution.h>
 #include <abut/decomposition/interface_problem.h>
+#include <abut/run/scene_bodies.h>
 
 #include <memory>
 
@@ -35,20 +34,21 @@ namespace abut
     /// of the kind `exact`; null where there are none. `executor`: bodies are assigned to its processes.
     explicit Model(const Scene &scene, const ExactSolution *exact = nullptr, Executor executor = {});
 
-    const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_; }
+    const std::vector<std::unique_ptr<Body>> &bodies() const { return bodies_.all(); }
     const std::vector<ContactSurface> &surfaces() const { return surfaces_; }
     /// In the scene's order.
     const std::vector<const ContactPair *> &pairs() const { return pairs_; }
     /// The surface that a pair belongs to.
     std::size_t surface_of(const std::size_t pair) const { return surface_of_[pair]; }
     const InterfaceProblem &problem() const { return *problem_; }
-    const Executor &executor() const { return executor_; }
+    const Executor &executor() const { return bodies_.executor(); }
     /// Cells and unknowns of all bodies together.
     Counts counts() const;
 
-    /// Assembles and factorises the bodies whose mesh is new, side by side, each where it lives; the longest
-    /// seconds of both.
-    PreparationTimes prepare();
+    /// See SceneBodies.
+    PreparationTimes prepare() { return bodies_.prepare(); }
+    /// See SceneBodies.
+    std::vector<unsigned int> n_meshes() const { return bodies_.n_meshes(); }
 
     /// The response (see InterfaceProblem) that displacements of all bodies are.
     Eigen::VectorXd observe(const std::vector<Eigen::VectorXd> &displacements) const;
@@ -69,33 +69,18 @@ namespace abut
                      const std::vector<BodyCounters> &counters);
 
   private:
-    /// Those that travel where they begin to live; the others get to know them.
-    void make_bodies(const ExactSolution *exact);
-    /// Changes meshes, of bodies that travel where they live and of the others in all processes, and carries
-    /// the fields of each over; those of a mesh that stays do not change.
-    void adapt_bodies(const std::vector<CellMarks> &marks, std::vector<std::vector<Eigen::VectorXd>> &fields);
-    /// The names of a body's contact sides, in the order of its trace vector.
-    std::vector<std::string> sides_of(std::size_t body) const;
-    /// Runs f of all bodies: one after the other of those that share a mesh among processes, as that takes
-    /// all of these in the same order; the others side by side.
-    void for_each_body(const std::function<void(std::size_t)> &f) const;
     ContactBody contact_body(const Side &side) const;
     PairInput pair_input(std::size_t index) const;
     ContactSurface make_surface(const std::vector<std::size_t> &group) const;
-    /// Lets bodies whose mesh is new live where there is the least to do (see body_loads).
-    void assign_bodies();
     void make_problem();
     bool is_new(const ContactSurface &surface) const;
 
     const Scene &scene_;
-    Executor executor_;
-    std::vector<std::unique_ptr<Body>> bodies_;
-    std::vector<TravellingBody *> travelling_;     ///< null: one that is the same in all processes
+    SceneBodies bodies_;
     std::vector<std::vector<std::size_t>> groups_; ///< of pairs, a surface each
     std::vector<std::size_t> surface_of_;
     std::vector<ContactSurface> surfaces_;
     std::vector<const ContactPair *> pairs_;
     std::unique_ptr<InterfaceProblem> problem_;
-    std::vector<bool> is_prepared_;
   };
 } // namespace abut

@@ -51,6 +51,8 @@ namespace abut
           {"bodies[].name", "text", "", "as in the parameter file"},
           {"bodies[].processes", "count", "",
            "in which it lives ([a body in several processes](../processes.md#a-body-in-several-processes))"},
+          {"bodies[].mesh_processes", "count", "",
+           "that have its mesh, or a part of it, at the end of the run; of a rigid body all"},
           {"bodies[].cells", "count", "", "of its mesh; 0 of a rigid body"},
           {"bodies[].dofs", "count", "", "unknowns, those that supports hold included"},
           {"bodies[].boundary_dofs", "count", "", "those of them at nodes on the boundary"},
