@@ -13,6 +13,7 @@
 
 #include <abut/base/launch.h>
 #include <abut/program/arguments.h>
+#include <abut/program/blas_kernels.h>
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -70,6 +71,7 @@ int main(const int argc, const char *const *argv)
   if (!abut::parse_arguments(argc, argv, status, answers ? std::cout : silent, answers ? std::cerr : silent))
     return status;
   let_idle_threads_sleep();
+  abut::choose_blas_kernels();
   RunCommandLine *const run = load();
   if (run == nullptr)
   {

@@ -199,7 +199,8 @@ namespace abut
       return {{"abut", ABUT_VERSION},
               {"deal.II", DEAL_II_PACKAGE_VERSION},
               {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-              {"CHOLMOD", dotted(cholmod[0], cholmod[1], cholmod[2])}};
+              {"CHOLMOD", dotted(cholmod[0], cholmod[1], cholmod[2])},
+              {"BLAS", blas_name()}};
     }
   } // namespace
 

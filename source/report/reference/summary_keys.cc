@@ -242,7 +242,8 @@ namespace abut
           {"counters.mpi_initialised", "true or false", "", "whether MPI was started"},
           {"counters.p4est_initialised", "true or false", "", "whether p4est was started"},
           {"versions", "object", "", "of the program and of the libraries that numbers depend on"},
-          {"versions.<name>", "text", "", "abut, deal.II, Eigen, CHOLMOD"}};
+          {"versions.<name>", "text", "",
+           "abut, deal.II, Eigen, CHOLMOD; BLAS: name, version and kernels of OpenBLAS"}};
     }
   } // namespace
 
