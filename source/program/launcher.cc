@@ -11,9 +11,9 @@
 // first that need no other one, each with its own scope (RTLD_LOCAL): a symbol is then looked for in what the
 // library at hand needs. Mistakes of the command line, `--version` and `--help` are answered before.
 
+#include <abut/base/blas_kernels.h>
 #include <abut/base/launch.h>
 #include <abut/program/arguments.h>
-#include <abut/program/blas_kernels.h>
 
 #include <cstdlib>
 #include <dlfcn.h>

@@ -7,6 +7,9 @@
 #include <sstream>
 #include <sys/wait.h>
 
+// Exported by OpenBLAS alone: with another BLAS the address is null.
+extern "C" char *openblas_get_corename() __attribute__((weak));
+
 namespace abut::testing
 {
   namespace
@@ -15,6 +18,12 @@ namespace abut::testing
     {
       return "'" + word + "'"; // no word of these tests has a quote
     }
+
+    /// Runs that are compared have to round alike: the program would choose other kernels of OpenBLAS than
+    /// this one has where OpenBLAS does not know the processor. Whatever is started from here inherits it.
+    const bool kernels_are_passed_on = [] {
+      return openblas_get_corename != nullptr && setenv("OPENBLAS_CORETYPE", openblas_get_corename(), 0) == 0;
+    }();
 
     std::filesystem::path new_folder()
     {

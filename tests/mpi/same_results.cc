@@ -139,7 +139,7 @@ namespace
       const std::string name = body["name"];
       const bool is_in_all = std::count(scene.in_all.begin(), scene.in_all.end(), name) > 0;
       EXPECT_EQ(body["processes"], is_in_all ? n : 1) << name;
-      if (body["cells"] > 0 && n > 1)
+      if (body["cells"] > 0)
       {
         EXPECT_EQ(body["mesh_processes"], is_in_all || name == scene.known_to_all ? n : 1) << name;
       }

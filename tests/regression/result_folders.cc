@@ -19,7 +19,7 @@ namespace abut::testing
     /// What every run has of its own.
     bool is_of_the_run(const std::string &key)
     {
-      static const std::set<std::string> others = {"processes", "peak_memory_mb", "time_s",
+      static const std::set<std::string> others = {"processes", "mesh_processes", "peak_memory_mb", "time_s",
                                                    "counters",  "bem_models",     "left_out"};
       return others.count(key) > 0 || (key.size() > 2 && key.compare(key.size() - 2, 2, "_s") == 0);
     }

@@ -47,7 +47,7 @@ namespace abut
 
     /// See SceneBodies.
     PreparationTimes prepare() { return bodies_.prepare(); }
-    /// See SceneBodies.
+    /// See SceneBodies. All processes have to call it.
     std::vector<unsigned int> n_meshes() const { return bodies_.n_meshes(); }
 
     /// The response (see InterfaceProblem) that displacements of all bodies are.
